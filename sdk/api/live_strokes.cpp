@@ -8,6 +8,7 @@
 #include "api/error.h"
 #include "api/host_buffers.h"
 #include "api/inputs.h"
+#include "api/style_drives.h"
 #include "core/number_text.h"
 #include "stylization/live_jobs.h"
 
@@ -61,6 +62,27 @@ void check(const FlgLiveStrokeDesc& desc) {
                       "take FLG_FRAME_METHOD_ROTATION_MINIMIZING or FLG_FRAME_METHOD_SUPPLIED");
     }
     check_basis(desc.basis);
+}
+
+StyleDrives read_hand_drives(const FlgLiveStrokeDesc& desc) {
+    const StyleDrives drives = read_drives(desc.drives, desc.drive_count);
+    for (uint32_t k = 0; k < desc.drive_count; ++k) {
+        const FlgAttribute attribute = drives.list()[k].attribute;
+        if (attribute == FLG_ATTRIBUTE_PRESSURE || attribute == FLG_ATTRIBUTE_SPEED) continue;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.drives[%u].attribute is %d, a hand has FLG_ATTRIBUTE_PRESSURE and FLG_ATTRIBUTE_SPEED", k,
+                      number_of(attribute));
+    }
+    return drives;
+}
+
+// Throws FLG_NOT_READY if a tree is missing.
+std::shared_ptr<PathTrees> warm_trees(Style& style, float temperature, const char* whose) {
+    std::shared_ptr<PathTrees> trees = style.trees(style.prepared.temperature(temperature));
+    if (all_trees_made(*trees)) return trees;
+    throw Failure(FLG_NOT_READY,
+                  "desc.style is not warm at %s, %s; call flgStyleWarm with it, and tick until its job is done", whose,
+                  NumberText(temperature).c_str());
 }
 
 // The columns; what is in them: LiveStroke::push().
@@ -158,15 +180,12 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
         if (result == FLG_NOT_READY) {
             return set_last_error(result, "desc.style is not prepared yet; tick until its job is done");
         }
-        request.trees = request.style->trees(
-            static_cast<float>(double{read.temperature} * request.style->prepared.graph.temperature_unit));
-        if (!all_trees_made(*request.trees)) {
-            throw Failure(
-                FLG_NOT_READY,
-                "desc.style is not warm at desc.temperature, %s; call flgStyleWarm with it, and tick until its "
-                "job is done",
-                NumberText(read.temperature).c_str());
-        }
+        request.drives = read_hand_drives(read);
+        const auto [cold, hot] = request.drives.temperatures(read.temperature);
+        const bool driven = request.drives.drive(FLG_STYLE_DRIVEN_TEMPERATURE);
+        const char* const whose = driven ? "a temperature of desc.drives" : "desc.temperature";
+        request.trees = warm_trees(*request.style, cold, whose);
+        request.hot_trees = warm_trees(*request.style, hot, whose);
         request.desc = read;
         request.origin = read_origin(read.origin, "desc.origin");
         *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(memory, request, memory))};
@@ -345,6 +364,7 @@ FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc,
         Submission submission(self, job);
         LiveReplayRequest request;
         request.desc = read;
+        request.drives = read_hand_drives(read);
         request.style = self.styles.get(read.style.id, "desc.style");
         request.samples = self.curve_sets.get(samples.id, "samples");
         submission.read(*request.style, "desc.style");

@@ -31,6 +31,8 @@ void check(const FlgStyleDesc& desc) {
                 "finite and above 0");
     check_range(desc.beta > 0 && desc.beta < 1, "desc.beta", desc.beta, "above 0 and below 1");
     check_range(desc.patch >= 1 && desc.patch <= max_patch, "desc.patch", desc.patch, "1 to 1024");
+    check_range(std::isfinite(desc.start_cap), "desc.start_cap", desc.start_cap, "finite");
+    check_range(std::isfinite(desc.end_cap), "desc.end_cap", desc.end_cap, "finite");
 }
 
 void check_patch_size(const FlgPatchSize& size, uint32_t index) {

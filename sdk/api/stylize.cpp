@@ -3,6 +3,7 @@
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
+#include "api/style_drives.h"
 #include "core/failure.h"
 #include "curves/sampling_job.h"
 #include "stylization/apply_style.h"
@@ -35,6 +36,12 @@ void check(const FlgCurveSetStylizeDesc& desc) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.exact_spacing is set, and so is desc.pin_ends: exact steps do not come to a curve's end");
     }
+    check_range(desc.fit >= 0 && desc.fit <= 1, "desc.fit", desc.fit, "0 to 1");
+    if (desc.exact_spacing != 0 && desc.fit > 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.exact_spacing is set, and desc.fit is %g: exact steps do not fit motifs to a length",
+                      static_cast<double>(desc.fit));
+    }
     check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_STYLE_START_");
 }
 
@@ -56,14 +63,17 @@ FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* d
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
         const FlgCurveSetStylizeDesc read = read_struct(desc, default_stylize_desc(), "desc");
         check(read);
+        const StyleDrives drives = read_drives(read.drives, read.drive_count);
         Submission submission(self, read.job);
         const auto style = self.styles.get(read.style.id, "desc.style");
         const auto target = self.curve_sets.get(read.target.id, "desc.target");
         submission.read(*style, "desc.style");
         submission.read(*target, "desc.target");
+        // If the curves are there already: else the job finds out.
+        if (target->visible_result() == FLG_OK) check_drive_columns(*target, drives);
         const auto out = self.make(self.curve_sets);
         out->origin = target->origin;
-        submission.job().strand.start(apply_style(submission.pace(), StylizeRequest{style, target, out, read}));
+        submission.job().strand.start(apply_style(submission.pace(), StylizeRequest{style, target, out, read, drives}));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
     });
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "curves/step_scale.h"
 #include "runtime/pace.h"
 
 namespace flg {
@@ -99,6 +100,18 @@ Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve) {
     CurveMeasuring measuring(curve);
     while (!measuring.run(points_at_once)) co_await pace;
     co_return measuring.measure;
+}
+
+Task<double> measure_steps(Pace& pace, CurveView curve, const float* scales) {
+    double length = 0;
+    for (SegmentStream stream(curve); !stream.done();) {
+        const SegmentStream::Range range = stream.take();
+        for (uint32_t j = range.first; j < range.last; ++j) {
+            length += step_scale(curve, scales, stream.index_of(j)).steps(stream.block().lengths[j]);
+        }
+        co_await pace;
+    }
+    co_return length;
 }
 
 }  // namespace flg

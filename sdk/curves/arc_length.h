@@ -31,5 +31,7 @@ double exact_step_count(double length, double step);
 
 // About 25 ns a point. The curve outlives the task.
 Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve);
+// The length in steps, each one metre times `scales`, which has a value above 0 for each point (see StepScale).
+Task<double> measure_steps(Pace& pace, CurveView curve, const float* scales);
 
 }  // namespace flg

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
+#include "curves/step_scale.h"
+
 namespace flg {
 
-BlockSampler::BlockSampler(const CurveView& curve, double length, uint32_t steps)
-    : stream_(curve), curve_(curve), steps_(steps), step_(steps > 0 ? length / steps : 0) {}
+BlockSampler::BlockSampler(const CurveView& curve, double length, uint32_t steps, const float* scales)
+    : stream_(curve), curve_(curve), steps_(steps), step_(steps > 0 ? length / steps : 0), scales_(scales) {}
 
-BlockSampler::BlockSampler(const CurveView& curve, double step)
-    : stream_(curve), curve_(curve), steps_(no_end), step_(step) {}
+BlockSampler::BlockSampler(const CurveView& curve, double step, const float* scales)
+    : stream_(curve), curve_(curve), steps_(no_end), step_(step), scales_(scales) {}
 
 bool BlockSampler::next(SampleBlock& out, uint32_t& units) {
     out.count = 0;
@@ -38,6 +40,7 @@ bool BlockSampler::next(SampleBlock& out, uint32_t& units) {
     units -= std::min(units, out.count);
     find_places(starts_.data(), first, step_, out);
     for (uint32_t k = 0; k < out.count; ++k) out.segment[k] = stream_.index_of(static_cast<uint32_t>(out.row[k]));
+    if (scales_) scale_places(out);
     place_samples(rows_, out);
     if (has_end) {
         const uint32_t last = out.count - 1;
@@ -75,19 +78,33 @@ bool BlockSampler::add_end(SampleBlock& out) {
     return true;
 }
 
+// From steps to metres.
+void BlockSampler::scale_places(SampleBlock& out) const {
+    for (uint32_t k = 0; k < out.count; ++k) {
+        const double length = stream_.block().lengths[out.row[k]];
+        out.along[k] = step_scale(curve_, scales_, out.segment[k]).place(length, out.along[k]);
+    }
+}
+
 bool BlockSampler::read_on(uint32_t& units) {
     const SegmentStream::Range range = stream_.take();
     units -= std::min(units, range.last - range.first + 1);
     if (range.first == range.last) return units > 0;
     const SegmentBlock& block = stream_.block();
     make_rows(block, range.first, range.last, rows_);
-    double end = end_;
-    for (uint32_t j = range.first; j < range.last; ++j) {
-        starts_[j] = end;
-        end += block.lengths[j];
-        ends_[j] = end;
-    }
-    end_ = end;
+    const auto add = [&](const auto& length_of) {
+        double end = end_;
+        for (uint32_t j = range.first; j < range.last; ++j) {
+            starts_[j] = end;
+            end += length_of(j);
+            ends_[j] = end;
+        }
+        end_ = end;
+    };
+    if (scales_)
+        add([&](uint32_t j) { return step_scale(curve_, scales_, stream_.index_of(j)).steps(block.lengths[j]); });
+    else
+        add([&](uint32_t j) { return block.lengths[j]; });
     find_stops(ends_.data(), range.first, range.last, step_, stops_.data());
     // What the arc length comes to has no samples behind it.
     if (stream_.done()) stops_[range.last - 1] = steps_;

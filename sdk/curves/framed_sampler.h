@@ -26,6 +26,8 @@ struct SamplingPlan {
     const float* normals = nullptr;      // FLG_FRAME_METHOD_SUPPLIED: three floats a point of the curve, of any length
     const float* orientation = nullptr;  // the controller's at the first point, if it was drawn: quaternion x y z w
     double exact_step = 0;               // metres; 0: the curve's length in equal steps
+    const float* step_scales = nullptr;  // by how much steps are longer at each point of the curve; null: by nothing
+    double scaled_length = 0;            // the curve's, if there are step_scales
 
     uint32_t sample_count() const { return steps == 0 ? 1 : (curve.closed ? steps : steps + 1); }
 };

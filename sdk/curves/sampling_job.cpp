@@ -45,8 +45,10 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
         const CurveView curve = curve_view(sampling.in, c);
         const CurveMeasure measure = co_await measure_curve(pace, curve);
         const double spacing = sampling.spacing_of(c);
-        const double exact = sampling.exact && !curve.closed ? exact_step_count(measure.length, spacing) : 0;
-        const double steps = exact > 0 ? exact : even_step_count(measure.length, spacing, curve.closed);
+        const float* scales = sampling.step_scales ? sampling.step_scales + sampling.in.offsets()[c] : nullptr;
+        const double length = scales ? co_await measure_steps(pace, curve, scales) : measure.length;
+        const double exact = sampling.exact && !curve.closed ? exact_step_count(length, spacing) : 0;
+        const double steps = exact > 0 ? exact : even_step_count(length, spacing, curve.closed);
         if (const PointLimit limit(sampling); steps >= limit.points) {
             throw Failure(FLG_ERROR_LIMIT, "curve %u is %g m long and would get %.0f points %g m apart; %s", c,
                           measure.length, steps, spacing, limit.text);
@@ -57,7 +59,9 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
                                                            .frame = sampling.frame,
                                                            .normals = supplied_normals(sampling, c),
                                                            .orientation = first_orientation(sampling.in, c),
-                                                           .exact_step = exact > 0 ? spacing : 0});
+                                                           .exact_step = exact > 0 ? spacing : 0,
+                                                           .step_scales = scales,
+                                                           .scaled_length = length});
         pace.advance(curve.count);
         co_await pace;
     }
@@ -133,6 +137,11 @@ CurveView curve_view(const CurveSet& set, uint32_t curve) {
 }
 
 Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added) {
+    co_await measure_sampling(pace, sampling);
+    co_await lay_out_sampling(pace, sampling, std::move(added));
+}
+
+Task<void> measure_sampling(Pace& pace, Sampling& sampling) {
     pace.stage("measure");
     const CurveSet& in = sampling.in;
     if (sampling.frame == FLG_FRAME_METHOD_SUPPLIED && !in.find(FLG_ATTRIBUTE_NORMAL)) {
@@ -142,9 +151,12 @@ Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveS
     }
     sampling.plans = Buffer<SamplingPlan>(in.curve_count(), pace.memory());
     co_await fork(pace, batch_count(in), &measure_batch, sampling);
+}
+
+Task<void> lay_out_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added) {
     co_await lay_out_curves(pace, sampling);
     lay_out_columns(sampling, added, pace.memory());
-    pace.expect(uint64_t{in.point_count()} + sampling.out.point_count());
+    pace.expect(uint64_t{sampling.in.point_count()} + sampling.out.point_count());
 }
 
 FrameColumns frame_columns(const Sampling& sampling, uint32_t out_curve) {
@@ -173,6 +185,7 @@ Task<void> resample_curves(Pace& pace, std::shared_ptr<const CurveSet> in, doubl
                       .copies = 1,
                       .max_points = 0,
                       .exact = false,
+                      .step_scales = nullptr,
                       .plans = {},
                       .carried = std::pmr::vector<Sampling::Carried>(pace.memory())};
     co_await plan_sampling(pace, sampling, std::pmr::vector<CurveSet::ColumnLayout>(pace.memory()));

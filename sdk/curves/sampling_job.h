@@ -39,6 +39,7 @@ struct Sampling {
     uint32_t copies;             // how often each curve is in `out`: the copies of curve c begin at c * copies
     uint32_t max_points;         // of `out`; 0: sampled_points_max
     bool exact;                  // steps on open curves, as live strokes have them
+    const float* step_scales;    // by how much steps are longer, one a point of `in`; null: by nothing
     Buffer<SamplingPlan> plans;  // one a curve of `in`
     // Columns that are carried over, of `in` and, at the same place, of `out`.
     struct Carried {
@@ -54,6 +55,9 @@ struct Sampling {
 // `added` ones, then those of `in` that are none of these. Throws FLG_ERROR_LIMIT if the result would have more points
 // than it may, FLG_ERROR_INVALID_ARGUMENT if frames are to be supplied and `in` has none.
 Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added);
+// The same in two parts: the plans' numbers of steps may be changed in between.
+Task<void> measure_sampling(Pace& pace, Sampling& sampling);
+Task<void> lay_out_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added);
 
 // Where the samples of a curve of `out` go.
 FrameColumns frame_columns(const Sampling& sampling, uint32_t out_curve);

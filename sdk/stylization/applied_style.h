@@ -38,11 +38,14 @@ inline Vec3 in_frame(const Vec3& d, const Vec3& tangent, const Vec3& normal) {
 // PreparedStyle::bend as it is applied.
 double fitted_bend(const Eigen::Matrix3d& scaled_basis, const PreparedStyle& style);
 
-// Throws what the host is told if the style's attributes would get larger than columns may be.
-void check_attribute_sizes(const PreparedStyle& style, double scale);
+// Throws what the host is told if the style's attributes would get larger than columns may be, somewhere: at the
+// `largest_scale`.
+void check_attribute_sizes(const PreparedStyle& style, double scale, double largest_scale);
 
 // Row-major: basis times (along tangent, first normal, second normal). The style outlives the result. About 10 ns a
-// point. Throws what the host is told if the style would get larger than coordinates may be.
-Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis);
+// point. Throws what the host is told if the style would get larger than coordinates may be, somewhere: at the
+// `largest_scale`.
+Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis,
+                             double largest_scale);
 
 }  // namespace flg

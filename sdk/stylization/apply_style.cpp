@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "core/failure.h"
 #include "curves/sampling_job.h"
 #include "runtime/each.h"
 #include "stylization/automatic_scale.h"
+#include "stylization/stroke_fit.h"
 #include "stylization/synthesis.h"
 
 namespace flg {
@@ -30,18 +32,23 @@ struct Application {
                    .copies = request.desc.strokes,
                    .max_points = request.desc.max_points,
                    .exact = request.desc.exact_spacing != 0,
+                   .step_scales = nullptr,
                    .plans = {},
                    .carried = std::pmr::vector<Sampling::Carried>(memory)},
           attributes(memory) {}
 
+    Steering steering;
     Sampling sampling;
+    Buffer<float> across;  // of each target curve; empty: 1
     AppliedStyle style;
     ChosenScales chosen;  // empty if the host has given one
     SynthesisInput input;
     bool from_start = false;  // the first stroke along each curve
+    bool whole_motifs = false;
     Column* style_index = nullptr;
     Column* displacement = nullptr;
     Column* time = nullptr;
+    Column* carried_radius = nullptr;      // if it is driven
     Column* thinned_radius = nullptr;      // the target's, where that is made thinner
     std::pmr::vector<Column*> attributes;  // in the order of the style's
 
@@ -68,8 +75,14 @@ void find_columns(const StylizeRequest& request, Application& application) {
         if (attribute.attribute == FLG_ATTRIBUTE_SPEED) application.time = out.find(FLG_ATTRIBUTE_TIME);
     }
     const bool own_radius = application.style.find(FLG_ATTRIBUTE_RADIUS) < application.style.attributes.size();
-    if (request.desc.scale == 0 && request.desc.magnitude != 0 && !own_radius) {
-        application.thinned_radius = out.find(FLG_ATTRIBUTE_RADIUS);
+    if (own_radius) return;
+    Column* const radius = out.find(FLG_ATTRIBUTE_RADIUS);
+    if (request.desc.scale == 0 && request.desc.magnitude != 0) application.thinned_radius = radius;
+    if (!request.drives.drive(FLG_STYLE_DRIVEN_RADIUS)) return;
+    application.carried_radius = radius;
+    if (!radius) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.drives drive the radius, but neither desc.target nor desc.style has a RADIUS");
     }
 }
 
@@ -103,13 +116,38 @@ StylizedColumns stylized_columns(const Application& application, uint32_t out_cu
             .style_index = begin(application.style_index),
             .displacement = begin(application.displacement),
             .time = begin(application.time),
-            .attributes = attributes};
+            .attributes = attributes,
+            .carried_radius = begin(application.carried_radius)};
 }
 
 // When the curve begins.
 double start_time(const CurveSet& target, uint32_t curve) {
     const Column* time = target.find(FLG_ATTRIBUTE_TIME);
     return time ? time->values[target.offsets()[curve]] : 0.0;
+}
+
+// Open curves get as many steps as caps and motifs ask for.
+Task<void> fit_strokes(Pace& pace, const PatchGraph& graph, double fit, Application& application) {
+    Sampling& sampling = application.sampling;
+    application.whole_motifs = fit > 0;
+    application.across = Buffer<float>(sampling.in.curve_count(), pace.memory());
+    co_await each(pace, sampling.in.curve_count(), Cost::tens_of_ns, [&](uint32_t c) {
+        SamplingPlan& plan = sampling.plans[c];
+        StrokeFit stroke{plan.steps};
+        if (plan.steps > 0 && !plan.curve.closed) {
+            stroke = fit_stroke(graph, plan.scaled_length / sampling.spacing_of(c), plan.steps, fit);
+        }
+        // Exact steps of another length are none.
+        if (stroke.steps != plan.steps) plan.exact_step = 0;
+        plan.steps = stroke.steps;
+        application.across[c] = stroke.across;
+    });
+}
+
+// At the curve's first point; null if nothing is steered.
+const Steered* steered_points(const Application& application, uint32_t curve) {
+    if (application.steering.points.empty()) return nullptr;
+    return application.steering.points.data() + application.sampling.in.offsets()[curve];
 }
 
 // One stroke along each curve of a batch.
@@ -129,7 +167,10 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
                       .from_start = application.from_start && stroke == 0,
                       .start_time = start_time(sampling.in, c),
                       .out = stylized_columns(application, out_curve, attributes),
-                      .carried = pairs});
+                      .carried = pairs,
+                      .steered = steered_points(application, c),
+                      .across = application.across.empty() ? 1.0f : application.across[c],
+                      .whole_motifs = application.whole_motifs});
         uint32_t written = 0;
         while (!kernel.run(synthesis_chunk)) {
             pace.advance(kernel.written() - written);
@@ -149,30 +190,41 @@ Task<void> apply_style(Pace& pace, StylizeRequest request) {
     const PreparedStyle& prepared = request.style->prepared;
     const FlgCurveSetStylizeDesc& desc = request.desc;
     Application application(request, pace.memory());
+    if (!request.drives.empty()) pace.stage("steering");
+    application.steering = co_await steer(pace, *request.target, request.drives);
+    application.sampling.step_scales = application.steering.scales.data();
+    const double largest_driven = request.drives.largest(FLG_STYLE_DRIVEN_SCALE);
     if (desc.scale == 0) {
         application.chosen = co_await choose_scales(pace, prepared, *request.target);
         const Buffer<float>& scales = application.chosen.scale;
         application.sampling.scales = {scales.data(), scales.size()};
-        co_await each(pace, scales.size(), Cost::tens_of_ns,
-                      [&](uint32_t c) { check_attribute_sizes(prepared, double{scales[c]}); });
+        co_await each(pace, scales.size(), Cost::tens_of_ns, [&](uint32_t c) {
+            check_attribute_sizes(prepared, double{scales[c]}, scales[c] * largest_driven);
+        });
     }
-    co_await plan_sampling(pace, application.sampling, style_columns(request, pace.memory()));
+    co_await measure_sampling(pace, application.sampling);
+    if (prepared.graph.caps() > 0 || desc.fit > 0) co_await fit_strokes(pace, prepared.graph, desc.fit, application);
+    co_await lay_out_sampling(pace, application.sampling, style_columns(request, pace.memory()));
 
     pace.stage("synthesis");
     std::array<double, 9> basis;
     std::copy_n(desc.basis, basis.size(), basis.begin());
-    application.style = co_await fit_style(pace, prepared, common_scale(desc), basis);
+    const double scale = common_scale(desc);
+    application.style = co_await fit_style(pace, prepared, scale, basis, scale * largest_driven);
     find_columns(request, application);
     co_await keep_scales(pace, request, application);
-    const auto temperature = static_cast<float>(double{desc.temperature} * prepared.graph.temperature_unit);
-    const std::shared_ptr<PathTrees> trees = request.style->trees(temperature);
+    const auto [cold, hot] = request.drives.temperatures(desc.temperature);
+    const std::shared_ptr<PathTrees> trees = request.style->trees(prepared.temperature(cold));
+    const std::shared_ptr<PathTrees> hot_trees = request.style->trees(prepared.temperature(hot));
     const bool lone = request.target->curve_count() == 1;
     application.from_start = desc.start == FLG_STYLE_START_STYLE || (desc.start == FLG_STYLE_START_AUTO && lone);
     application.input = {.style = &application.style,
                          .trees = trees.get(),
                          .magnitude = desc.magnitude,
                          .pin_ends = desc.pin_ends != 0,
-                         .seed = desc.seed};
+                         .seed = desc.seed,
+                         .hot_trees = request.drives.drive(FLG_STYLE_DRIVEN_TEMPERATURE) ? hot_trees.get() : nullptr,
+                         .steered = !request.drives.empty()};
     co_await fork(pace, batch_count(*request.target) * desc.strokes, &stylize_batch, application);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "runtime/task.h"
+#include "stylization/steering.h"
 #include "stylization/style.h"
 
 namespace flg {
@@ -13,10 +14,11 @@ struct StylizeRequest {
     std::shared_ptr<Style> style;
     std::shared_ptr<const CurveSet> target;
     std::shared_ptr<CurveSet> out;
-    FlgCurveSetStylizeDesc desc;  // checked; its handles are resolved above
+    FlgCurveSetStylizeDesc desc;  // checked; its handles are resolved above, its drives copied below
+    StyleDrives drives{};
 };
 
-// Stages "measure", "synthesis".
+// Stages "steering" if there are drives, "size" if the host leaves that to the SDK, "measure", "synthesis".
 Task<void> apply_style(Pace& pace, StylizeRequest request);
 
 }  // namespace flg

@@ -32,6 +32,9 @@ struct DisplacedBlock {
         for (auto& values : along)
             for (uint32_t k = 1; k <= count; ++k) values[k] *= factor;
     }
+    void scale_at(uint32_t k, float factor) {
+        for (auto& values : along) values[k + 1] *= factor;
+    }
     void set_magnitude(double value) {
         for (float& m : magnitude) m = static_cast<float>(value);
     }

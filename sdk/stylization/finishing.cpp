@@ -87,7 +87,8 @@ void Finishing::blend_over_start(uint32_t sample) {
     const Vec3 tangent = load_vec3(out.frames.tangents + at);
     Vec3 normal = load_vec3(out.frames.normals + at);
     if (has_angle) normal = turned_about(tangent, normal, -double{out.attributes[angle_][sample]});
-    const Vec3 d = input_.scale * input_.around.offset();
+    const Steered steered = input_.first_steered.empty() ? Steered{} : input_.first_steered[sample];
+    const Vec3 d = input_.scale * steered.weight() * input_.around.offset();
     const Vec3 offset = in_frame(d, tangent, normal);
     const Vec3 position = load_vec3(out.frames.positions + at) + input_.magnitude * offset;
     check_position(position, input_.magnitude);
@@ -97,7 +98,8 @@ void Finishing::blend_over_start(uint32_t sample) {
         const StyleAttribute& attribute = style.attributes[a];
         float* values = out.attributes[a] + size_t{sample} * attribute.components;
         for (uint32_t k = 0; k < attribute.components; ++k) {
-            const double scale = k < attribute.length_count() ? input_.scale * style.scale : 1.0;
+            const bool is_length = k < attribute.length_count();
+            const double scale = is_length ? input_.scale * style.scale * steered.size(attribute.attribute) : 1.0;
             const double value = values[k] + scale * input_.around.offset(a, k);
             const ValueRange range = attribute.ranges[k];
             const bool angle = attribute.period(k) > 0;

@@ -17,6 +17,7 @@
 #include "curves/resample.h"
 #include "stylization/applied_style.h"
 #include "stylization/seam_blend.h"
+#include "stylization/steering.h"
 
 namespace flg {
 
@@ -27,6 +28,7 @@ struct StylizedColumns {
     float* displacement = nullptr;  // 3 a sample; null: not wanted
     float* time = nullptr;          // 1 a sample; null exactly if the style doesn't transfer SPEED
     std::span<float* const> attributes;  // in the order of the style's
+    float* carried_radius = nullptr;     // 1 a sample: the target's RADIUS; null: it has none, or the style has
 };
 
 struct FinishingInput {
@@ -42,8 +44,9 @@ struct FinishingInput {
     // Of pinned curves: what is taken off the displacement at u = 0, and at u = 1.
     Vec3 start_excess = Vec3::Zero();
     Vec3 end_excess = Vec3::Zero();
-    SeamBlend around;       // of closed curves: at the first sample, where the curve has come around
-    double start_time = 0;  // seconds
+    SeamBlend around;                        // of closed curves: at the first sample, where the curve has come around
+    std::span<const Steered> first_steered;  // their first samples', as many as `around` has points; empty: not steered
+    double start_time = 0;                   // seconds
 };
 
 // Throws what the host is told of a position that curve sets can't hold.

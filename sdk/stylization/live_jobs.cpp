@@ -41,8 +41,7 @@ Task<void> make_trees(Pace& pace, PathTrees& trees, uint32_t batch) {
 
 Task<std::shared_ptr<PathTrees>> warm_trees(Pace& pace, Style& style, double temperature) {
     pace.stage("path_trees");
-    const auto metres = static_cast<float>(temperature * style.prepared.graph.temperature_unit);
-    std::shared_ptr<PathTrees> trees = style.trees(metres);
+    std::shared_ptr<PathTrees> trees = style.trees(style.prepared.temperature(temperature));
     const uint32_t batches = (trees->destination_count() + trees_per_branch - 1) / trees_per_branch;
     co_await fork(pace, batches, &make_trees, *trees);
     co_return trees;
@@ -210,10 +209,13 @@ Task<void> split_stroke(Pace& pace, LiveSplit& split) {
 }
 
 Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
-    const std::shared_ptr<PathTrees> trees = co_await warm_trees(pace, *request.style, request.desc.temperature);
+    const auto temperatures = request.drives.temperatures(request.desc.temperature);
+    const std::shared_ptr<PathTrees> trees = co_await warm_trees(pace, *request.style, temperatures[0]);
+    const std::shared_ptr<PathTrees> hot_trees = co_await warm_trees(pace, *request.style, temperatures[1]);
     const PreparedStyle& style = request.style->prepared;
-    Replay replay{request, live_settings(request.desc, style), live_columns(style)};
+    Replay replay{request, live_settings(request.desc, style, request.drives), live_columns(style)};
     replay.settings.trees = trees.get();
+    replay.settings.hot_trees = hot_trees.get();
 
     pace.stage("check");
     CurveSet& out = *request.out;
@@ -221,6 +223,9 @@ Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
     if (replay.settings.smoothing > 0 && !request.samples->find(FLG_ATTRIBUTE_TIME)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.smoothing is %g, but samples have no TIME column",
                       replay.settings.smoothing);
+    }
+    if (request.drives.drive_by(FLG_ATTRIBUTE_SPEED) && !request.samples->find(FLG_ATTRIBUTE_TIME)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.drives drive by SPEED, but samples have no TIME column");
     }
     out.allocate_curves(curves);
     co_await fork(pace, curves, &measure_curve, replay);

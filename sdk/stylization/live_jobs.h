@@ -39,6 +39,7 @@ struct LiveReplayRequest {
     std::shared_ptr<const CurveSet> samples;
     std::shared_ptr<CurveSet> out;
     FlgLiveStrokeDesc desc;  // checked; its style is resolved above; curve c is drawn with seed + c
+    StyleDrives drives{};    // its drives
 };
 // Stages "path_trees", "check", "live_stroke".
 Task<void> replay_strokes(Pace& pace, LiveReplayRequest request);

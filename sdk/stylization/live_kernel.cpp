@@ -7,6 +7,7 @@
 #include "core/failure.h"
 #include "curves/drawn_normal.h"
 #include "curves/segment_stream.h"
+#include "curves/step_scale.h"
 
 namespace flg {
 
@@ -55,7 +56,7 @@ LiveCurve::Reading LiveCurve::filtered(const Reading& value, double time) {
 
 LiveSegment LiveCurve::segment_to(bool smooth_end, const Vec3& tangent_end) const {
     const Vec3& u = direction_;
-    LiveSegment segment{start_, end_, u, chord_, u, u, hand_start_, hand_end_};
+    LiveSegment segment{start_, end_, u, chord_, u, u, hand_start_, hand_end_, left_start_, came_to_end_};
     if (smooth_start_) {
         segment.tangent_start = tangent_start_;
         segment.tangent_end = mirrored(tangent_start_, u);
@@ -74,9 +75,11 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
     const Reading value = filtered(reading_of(samples, sample), time);
     const Vec3 place = value.head<3>();
     const LiveHand hand{value[3], time, value.tail<3>()};
+    HandReading reading{static_cast<float>(hand.pressure), left_end_.speed};
     if (places_ == 0) {
         end_ = place;
         hand_end_ = hand;
+        left_end_ = reading;
         places_ = 1;
         return false;
     }
@@ -85,6 +88,7 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
     const double chord = std::sqrt(way.x() * way.x() + way.y() * way.y() + way.z() * way.z());
     if (!(chord > resolution_)) {
         hand_end_ = hand;
+        left_end_ = reading;
         return false;
     }
     const Vec3 direction = (1.0 / chord) * way;
@@ -98,6 +102,11 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
         tangent = (1.0 / std::sqrt(sum.x() * sum.x() + sum.y() * sum.y() + sum.z() * sum.z())) * sum;
         segment = segment_to(smooth, tangent);
     }
+    reading.speed = speed_between(end_, place, time - hand_end_.time);
+    left_start_ = left_end_;
+    if (!moves_) left_start_.speed = reading.speed;
+    moves_ = true;
+    came_to_end_ = left_end_ = reading;
     start_ = end_;
     end_ = place;
     direction_ = direction;
@@ -204,11 +213,23 @@ void LiveKernel::take_segment() {
     state_.segment.load(block_);
     make_rows(block_, 0, 1, rows_);
     state_.in_segment = true;
+    steered_start_ = steered_by(settings_.drives, state_.segment.reading_start);
+    steered_end_ = steered_by(settings_.drives, state_.segment.reading_end);
+}
+
+Steered steered_by(const StyleDrives& drives, const HandReading& reading) {
+    return drives.steer([&](uint32_t k) {
+        const bool by_pressure = drives.list()[k].attribute == FLG_ATTRIBUTE_PRESSURE;
+        return by_pressure ? reading.pressure : reading.speed;
+    });
 }
 
 // False if it wasn't followed to its end.
 bool LiveKernel::follow_segment(uint32_t& units) {
-    const double end = state_.start + block_.lengths[0];
+    const double length = block_.lengths[0];
+    const StepScale scale{steered_start_.scale, steered_end_.scale};
+    const bool scaled = settings_.drives.drive(FLG_STYLE_DRIVEN_SCALE);
+    const double end = state_.start + (scaled ? scale.steps(length) : length);
     // A point at a segment's end is the next one's, unless there is none.
     const bool last = state_.closing && !state_.curve.has_segment();
     const auto reached = [&](double s) { return last ? s <= end : s < end; };
@@ -226,6 +247,9 @@ bool LiveKernel::follow_segment(uint32_t& units) {
         } else {
             samples_made_.count = count;
             find_places(&state_.start, state_.points, step_, samples_made_);
+            for (uint32_t k = 0; scaled && k < count; ++k) {
+                samples_made_.along[k] = scale.place(length, samples_made_.along[k]);
+            }
             make_points();
         }
     }
@@ -238,13 +262,16 @@ bool LiveKernel::follow_segment(uint32_t& units) {
 
 void LiveKernel::begin_walk() {
     state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, StyleWalk::endless);
+    state_.walk.heat(settings_.hot_trees);
+    state_.walk.begin_with_cap();
     state_.blend =
         SeamBlend(settings_.style->graph.patch, fitted_bend(basis_, *settings_.style), settings_.style->attributes);
 }
 
-void LiveKernel::advance_walk() {
+void LiveKernel::advance_walk(uint32_t point, const Steered& steered) {
     const uint32_t from = state_.walk.node();
-    if (!state_.walk.advance()) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
+    const bool hot = steered.is_hot(settings_.seed, 0, point);
+    if (!state_.walk.advance(hot)) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
     state_.blend.step(from, state_.walk.node(), [this](uint32_t node) { return displacement_of(node); });
 }
 
@@ -263,12 +290,15 @@ void LiveKernel::take_supplied_normal(const Vec3& up) {
 void LiveKernel::make_points() {
     place_samples(rows_, samples_made_);
     make_frames();
+    const bool driven = !settings_.drives.empty();
     for (uint32_t k = 0; k < samples_made_.count; ++k) {
+        const float t = samples_made_.t[k];
+        const Steered steered = driven ? steered_start_.between(steered_end_, t) : Steered{};
         if (state_.points + k == 0)
             begin_walk();
         else
-            advance_walk();
-        follow_style(k, state_.segment.hand_start.between(state_.segment.hand_end, samples_made_.t[k]));
+            advance_walk(state_.points + k, steered);
+        follow_style(k, state_.segment.hand_start.between(state_.segment.hand_end, t), steered);
     }
     write();
 }
@@ -307,18 +337,20 @@ void LiveKernel::make_lone_point() {
     samples_made_.set_place(0, position, tangent);
     samples_made_.set_normal(0, drawn_normal(samples_.orientations, tangent));
     begin_walk();
-    follow_style(0, state_.curve.last_hand());
+    follow_style(0, state_.curve.last_hand(), steered_by(settings_.drives, state_.curve.last_reading()));
     displaced_.set_along(0, Vec3::Zero());
     write();
 }
 
 // What point k of those that are made copies: attributes as flgCurveSetStylize gives them, sizes times scale. The
 // style's radius makes the hand's.
-void LiveKernel::follow_style(uint32_t k, const LiveHand& hand) {
+void LiveKernel::follow_style(uint32_t k, const LiveHand& hand, const Steered& steered) {
     const uint32_t node = state_.walk.node();
     const size_t at = row() + k;
     displaced_.set_along(k, displacement_of(node) + state_.blend.offset());
+    if (!settings_.drives.empty()) displaced_.scale_at(k, static_cast<float>(steered.weight()));
     double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
+    radius *= steered.radius;
     uint32_t column = live_own_columns;
     for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {
         const StyleAttribute& attribute = settings_.style->attributes[a];
@@ -326,7 +358,7 @@ void LiveKernel::follow_style(uint32_t k, const LiveHand& hand) {
             radius *= state_.blend.value(a, 0, node) / radius_unit_;
             continue;
         }
-        state_.blend.write(a, node, settings_.scale, out_.data[column++] + at * attribute.components);
+        state_.blend.write(a, node, settings_.scale * steered.scale, out_.data[column++] + at * attribute.components);
         if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) displaced_.turn_rad[k] = state_.blend.value(a, 0, node);
     }
     out_.data[3][at] = static_cast<float>(radius);

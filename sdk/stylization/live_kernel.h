@@ -24,6 +24,7 @@
 #include "core/moving_frame.h"
 #include "curves/sample_block.h"
 #include "stylization/displaced_block.h"
+#include "stylization/steering.h"
 #include "stylization/style.h"
 #include "stylization/synthesis.h"
 
@@ -48,12 +49,18 @@ struct LiveHand {
     }
 };
 
+// What of a hand steers the style.
+struct HandReading {
+    float pressure = 0, speed = 0;  // speed in metres a second, on the way to the place
+};
+
 // From one place to the next.
 struct LiveSegment {
     Vec3 start = Vec3::Zero(), end = Vec3::Zero(), direction = Vec3::Zero();  // direction unit, from start to end
     double chord = 0;
     Vec3 tangent_start = Vec3::Zero(), tangent_end = Vec3::Zero();
     LiveHand hand_start, hand_end;
+    HandReading reading_start, reading_end;  // on leaving the one, on coming to the other
 
     // As the block's only segment.
     void load(SegmentBlock& block) const;
@@ -74,6 +81,7 @@ public:
     bool has_segment() const { return places_ == 2; }
     const Vec3& last_place() const { return end_; }
     const LiveHand& last_hand() const { return hand_end_; }
+    const HandReading& last_reading() const { return left_end_; }
 
 private:
     // Position, pressure, axis.
@@ -92,13 +100,20 @@ private:
     Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero(), direction_ = Vec3::Zero();
     double chord_ = 0;
     LiveHand hand_start_, hand_end_;
+    HandReading left_start_;              // when the hand left the start
+    HandReading came_to_end_, left_end_;  // came to the end, and was last there
     Vec3 tangent_start_ = Vec3::Zero();
     bool smooth_start_ = false;
+    bool moves_ = false;  // there has been a second place
 };
+
+Steered steered_by(const StyleDrives& drives, const HandReading& reading);
 
 struct LiveSettings {
     const PreparedStyle* style = nullptr;
-    PathTrees* trees = nullptr;  // all there
+    PathTrees* trees = nullptr;      // all there
+    PathTrees* hot_trees = nullptr;  // likewise, of a driven temperature's other end
+    StyleDrives drives{};
     double magnitude = 1;
     double scale = 1;
     double min_radius = 0, max_radius = 0;                        // metres
@@ -175,10 +190,10 @@ private:
     void make_frames();
     void make_lone_point();
     void begin_walk();
-    void advance_walk();
+    void advance_walk(uint32_t point, const Steered& steered);
     Vec3 displacement_of(uint32_t node) const;
     void take_supplied_normal(const Vec3& up);
-    void follow_style(uint32_t k, const LiveHand& hand);
+    void follow_style(uint32_t k, const LiveHand& hand, const Steered& steered);
     void write();
     double motion_time();
 
@@ -194,6 +209,7 @@ private:
     // Of the segment that is followed.
     SegmentBlock block_;
     SegmentRows rows_;
+    Steered steered_start_, steered_end_;
     // Points that are being made.
     SampleBlock samples_made_;
     DisplacedBlock displaced_;

@@ -91,9 +91,10 @@ const FlgCurveSetView& OneCurveView::show(const LiveColumns& from, uint32_t firs
     return view;
 }
 
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style) {
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style, const StyleDrives& drives) {
     LiveSettings settings;
     settings.style = &style;
+    settings.drives = drives;
     settings.magnitude = desc.magnitude;
     const double pen_radius = 0.5 * (double{desc.min_radius} + desc.max_radius);
     settings.scale = desc.scale > 0 ? desc.scale : live_scale(style, pen_radius);
@@ -112,7 +113,8 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
     : origin(request.origin),
       style_(request.style),
       trees_(request.trees),
-      settings_(live_settings(request.desc, request.style->prepared)),
+      hot_trees_(request.hot_trees),
+      settings_(live_settings(request.desc, request.style->prepared, request.drives)),
       max_jump_(request.desc.max_jump),
       max_samples_(request.desc.max_samples),
       positions_(size_t{3} * request.desc.max_samples, memory),
@@ -124,6 +126,7 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
       samples_{positions_.data(), orientations_.data(), pressures_.data(), times_.data()},
       columns_(live_columns(request.style->prepared)) {
     settings_.trees = trees_.get();
+    settings_.hot_trees = hot_trees_.get();
     size_t components = 0;
     for (uint32_t k = 0; k < columns_.count; ++k) {
         const CurveSet::ColumnLayout& layout = columns_.layout[k];
@@ -155,8 +158,9 @@ void LiveStroke::check_all(const FlgLiveSampleView& samples) const {
     if (count > 0 && kernel_.state().cut) {
         throw Failure(FLG_ERROR_LIMIT, "stroke has come to max_points, %u", settings_.max_points);
     }
-    if (count > 0 && settings_.smoothing > 0 && !samples.times) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.times is null, but the stroke's smoothing needs times");
+    if (count > 0 && !samples.times && (settings_.smoothing > 0 || settings_.drives.drive_by(FLG_ATTRIBUTE_SPEED))) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.times is null, but the stroke's %s needs times",
+                      settings_.smoothing > 0 ? "smoothing" : "drive by SPEED");
     }
     std::array<float, 3> position;
     double time = 0;
@@ -235,11 +239,12 @@ const FlgCurveSetView& LiveStroke::tip() {
 uint32_t LiveStroke::waiting_points() const {
     const LiveState& state = seen();
     if (!state.in_segment || state.cut) return 0;
-    // To the end of the segment, and from there from sample to sample.
-    double length = (state.start + state.segment.chord) - state.points * spacing();
+    // To the end of the segment, and from there from sample to sample, as if the hand then steered no further.
+    const double scale = steered_by(settings_.drives, state.segment.reading_end).scale;
+    double length = (state.start + state.segment.chord / scale) - state.points * spacing();
     for (uint32_t i = state.samples; i < sample_count_; ++i) {
         const float* position = positions_.data() + 3 * size_t{i};
-        length += (load_vec3(position) - load_vec3(position - 3)).norm();
+        length += (load_vec3(position) - load_vec3(position - 3)).norm() / scale;
     }
     const double points = std::ceil(length / spacing());
     const double room = settings_.max_points - state.points;

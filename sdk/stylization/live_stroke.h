@@ -27,13 +27,14 @@ namespace flg {
 
 struct LiveStrokeRequest {
     std::shared_ptr<Style> style;
-    std::shared_ptr<PathTrees> trees;
+    std::shared_ptr<PathTrees> trees, hot_trees;  // of the drives' temperatures, or twice the same
     Origin origin{};
-    FlgLiveStrokeDesc desc;  // checked; its style is resolved above
+    FlgLiveStrokeDesc desc;  // checked; its style is resolved above, its drives copied below
+    StyleDrives drives{};
 };
 
 // Without trees.
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style);
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style, const StyleDrives& drives);
 
 // One sample of the controller; see FlgLiveSampleView.
 struct LiveSample {
@@ -116,7 +117,7 @@ private:
     const LiveState& seen() const { return phase() == Phase::ending ? before_end_ : kernel_.state(); }
 
     std::shared_ptr<Style> style_;
-    std::shared_ptr<PathTrees> trees_;
+    std::shared_ptr<PathTrees> trees_, hot_trees_;
     LiveSettings settings_;
     double max_jump_;
     uint32_t max_samples_;

@@ -108,6 +108,8 @@ Task<PatchGraph> without_jumps(Pace& pace, const StyleScene& scene) {
     graph.node_count = scene.node_count();
     graph.curve_count = scene.curve_count();
     graph.patch = scene.patch;
+    graph.start_cap = scene.start_cap;
+    graph.end_cap = scene.end_cap;
     uint32_t destinations = 0;
     for (uint32_t curve = 0; curve < scene.curve_count(); ++curve) {
         const uint32_t patches = scene.end_patch(curve) - scene.first_patch(curve);

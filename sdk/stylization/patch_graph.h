@@ -21,7 +21,8 @@ constexpr uint32_t style_points_max = 16384;
 struct PatchGraph {
     uint32_t node_count = 0;
     uint32_t curve_count = 0;
-    uint32_t patch = 0;  // the largest, if there are several
+    uint32_t patch = 0;                   // the largest, if there are several
+    uint32_t start_cap = 0, end_cap = 0;  // the first and the last nodes, so many, are caps: no jump leads there
     // The jumps into node j, by rising source: in_source[k] and in_cost[k] (metres), in_begin[j] <= k < in_begin[j +
     // 1].
     Buffer<uint32_t> in_begin;
@@ -39,8 +40,12 @@ struct PatchGraph {
     static constexpr float temperature_share = 0.1f;
     float temperature_unit = 0;
 
-    // The first point of the first style curve that has destinations: from those of shorter curves nothing leads on.
+    uint32_t caps() const { return start_cap + end_cap; }
+    // The first point of the first style curve that has destinations, but for its caps: from those of shorter curves
+    // nothing leads on.
     uint32_t start() const { return destinations[0] - patch - 1; }
+    // One behind that curve's last point that is not a cap's.
+    uint32_t motif_end() const { return std::min(curve_end[start()], node_count - end_cap); }
     uint32_t jump_count() const { return static_cast<uint32_t>(in_source.size()); }
     // With the consecutive ones.
     uint32_t edge_count() const { return jump_count() + node_count - curve_count; }

@@ -12,6 +12,7 @@
 // remains: entries are exact to about N epsilon times the largest, and clamped at 0 by readers.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -38,13 +39,15 @@ struct StyleScene {
     uint32_t patch = 0;
     std::span<const FlgPatchSize> sizes = {};  // several sizes and their weights (sec. 4.5.4); none: `patch` alone
     std::span<const PatchChannel> channels = {};
+    // The first and the last points of all, so many, are caps: no patch reaches into them.
+    uint32_t start_cap = 0, end_cap = 0;
 
     uint32_t node_count() const { return boundaries.back(); }
     uint32_t curve_count() const { return static_cast<uint32_t>(boundaries.size()) - 1; }
     // Centres of the curve's patches: first_patch to end_patch - 1.
-    uint32_t first_patch(uint32_t curve) const { return boundaries[curve] + patch; }
+    uint32_t first_patch(uint32_t curve) const { return std::max(boundaries[curve], start_cap) + patch; }
     uint32_t end_patch(uint32_t curve) const {
-        const uint32_t end = boundaries[curve + 1];
+        const uint32_t end = std::min(boundaries[curve + 1], node_count() - end_cap);
         return end > first_patch(curve) + patch ? end - patch : first_patch(curve);
     }
 };

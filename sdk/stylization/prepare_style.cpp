@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/failure.h"
 #include "runtime/each.h"
 #include "stylization/guide_matching.h"
 #include "stylization/smooth_style_curve.h"
+#include "stylization/style_caps.h"
 #include "stylization/style_curves.h"
 
 namespace flg {
@@ -70,18 +72,56 @@ Task<void> take_attributes(Pace& pace, const StyleRequest& request, const Matche
     }
 }
 
-Task<void> make_graph(Pace& pace, const StyleRequest& request) {
+// Two patches at least between the caps.
+bool has_body(const StyleScene& scene) {
+    for (uint32_t c = 0; c < scene.curve_count(); ++c) {
+        if (scene.end_patch(c) > scene.first_patch(c) + 1) return true;
+    }
+    return false;
+}
+
+void check_body(const StyleScene& scene, const FlgStyleDesc& desc) {
+    if (has_body(scene)) return;
+    throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                  "desc.start_cap and desc.end_cap are %g and %g m: what they leave of desc.style is too short for two "
+                  "patches",
+                  static_cast<double>(desc.start_cap), static_cast<double>(desc.end_cap));
+}
+
+// Marks first; what is to be found takes the graph of all that is not marked.
+Task<void> set_caps(Pace& pace, const StyleRequest& request, double last_length, StyleScene& scene) {
+    const FlgStyleDesc& desc = request.desc;
+    const PreparedStyle& prepared = request.style->prepared;
+    const StyleCaps marked = marked_caps(scene.boundaries, {prepared.matching.data(), prepared.matching.size()},
+                                         last_length, desc.start_cap, desc.end_cap);
+    scene.start_cap = marked.start;
+    scene.end_cap = marked.end;
+    check_body(scene, desc);
+    if (desc.start_cap >= 0 && desc.end_cap >= 0) co_return;
+    const StyleScene wide = wide_scene(scene);
+    if (!has_body(wide)) co_return;
+    const PatchGraph graph = co_await patch_graph(pace, wide);
+    const StyleCaps found = co_await find_caps(pace, graph, wide, prepared.displacement_rms);
+    if (desc.start_cap < 0) scene.start_cap = found.start;
+    if (desc.end_cap < 0) scene.end_cap = found.end;
+    if (has_body(scene)) co_return;
+    scene.start_cap = marked.start;
+    scene.end_cap = marked.end;
+}
+
+Task<void> make_graph(Pace& pace, const StyleRequest& request, double last_length) {
     PreparedStyle& prepared = request.style->prepared;
     std::pmr::vector<PatchChannel> channels(pace.memory());
     for (const StyleAttribute& attribute : prepared.attributes) {
         if (attribute.weight != 0) co_await add_channels(pace, attribute, channels);
     }
     const Buffer<uint32_t>& boundaries = prepared.guide->offsets();
-    const StyleScene scene{.displacement = &prepared.displacement,
-                           .boundaries = {boundaries.data(), boundaries.size()},
-                           .patch = request.largest_patch(),
-                           .sizes = {request.patch_sizes.data(), request.desc.patch_size_count},
-                           .channels = channels};
+    StyleScene scene{.displacement = &prepared.displacement,
+                     .boundaries = {boundaries.data(), boundaries.size()},
+                     .patch = request.largest_patch(),
+                     .sizes = {request.patch_sizes.data(), request.desc.patch_size_count},
+                     .channels = channels};
+    co_await set_caps(pace, request, last_length, scene);
     prepared.graph = co_await patch_graph(pace, scene);
 }
 
@@ -136,7 +176,7 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
     pace.advance(1);
 
     pace.stage("patch_graph");
-    co_await make_graph(pace, request);
+    co_await make_graph(pace, request, curves.back().measure.length);
     double sum = 0;
     co_await each(pace, prepared.point_count(), Cost::some_ns,
                   [&](uint32_t point) { sum += prepared.squared_bend(point); });

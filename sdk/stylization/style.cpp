@@ -67,7 +67,9 @@ FlgStyleInfo Style::info() const {
             .temperature_unit = prepared.graph.temperature_unit,
             .flow_steps = prepared.flow_steps,
             .reserved = 0,
-            .matching = prepared.matching.data()};
+            .matching = prepared.matching.data(),
+            .start_cap_points = prepared.graph.start_cap,
+            .end_cap_points = prepared.graph.end_cap};
 }
 
 }  // namespace flg

@@ -41,6 +41,8 @@ struct PreparedStyle {
     double squared_bend(uint32_t point) const;
     // Of neighbouring points of the guide, metres: each curve is sampled as nearly so as whole steps allow.
     double spacing() const { return guide_length / (point_count() - guide->curve_count()); }
+    // Metres; `units` of temperature_unit.
+    float temperature(double units) const { return static_cast<float>(units * double{graph.temperature_unit}); }
 };
 
 class Style final : public Product {

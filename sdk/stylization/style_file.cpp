@@ -138,11 +138,15 @@ void check_attribute(const PreparedStyle& style, size_t index) {
 // patches, and every destination within reach.
 void complete_graph(PatchGraph& graph, const Buffer<uint32_t>& offsets, Memory* memory) {
     const uint32_t nodes = graph.node_count;
+    require_that(graph.start_cap < offsets[1] && graph.end_cap < nodes - offsets[offsets.size() - 2],
+                 "its caps are longer than its curves");
     const StyleScene scene{.displacement = nullptr,
                            .boundaries = {offsets.data(), offsets.size()},
                            .patch = graph.patch,
                            .sizes = {},
-                           .channels = {}};
+                           .channels = {},
+                           .start_cap = graph.start_cap,
+                           .end_cap = graph.end_cap};
     std::pmr::vector<Role> roles(nodes, Role::none, memory);
     uint32_t last_centres = 0, destinations = 0;
     for (uint32_t c = 0; c < scene.curve_count(); ++c) {
@@ -183,6 +187,7 @@ static_assert(std::endian::native == std::endian::little, "style files are writt
 
 constexpr char magic[8] = {'F', 'L', 'G', 'S', 'T', 'Y', 'L', 'E'};
 constexpr uint32_t version = 1;
+constexpr uint32_t version_with_caps = 2;  // the same, with the caps' points at its end
 
 // Puts values one after the other; without memory to put them in, counts.
 class Writer {
@@ -276,6 +281,9 @@ void write_content(const PreparedStyle& style, Writer& out) {
     out.array(graph.in_begin);
     out.array(graph.in_source);
     out.array(graph.in_cost);
+    if (graph.caps() == 0) return;
+    out.value(graph.start_cap);
+    out.value(graph.end_cap);
 }
 
 std::shared_ptr<CurveSet> read_guide(Reader& in, const StyleCounts& counts, Memory* memory) {
@@ -314,7 +322,7 @@ void read_attribute(Reader& in, uint32_t nodes, PreparedStyle& style) {
     for (uint32_t node = 0; node < nodes; ++node) attribute.extend_ranges(node);
 }
 
-void read_content(Reader& in, PreparedStyle& style, Memory* memory) {
+void read_content(Reader& in, bool has_caps, PreparedStyle& style, Memory* memory) {
     const auto counts = in.value<StyleCounts>();
     check_counts(counts);
     style.flow_steps = counts.flow_steps;
@@ -337,6 +345,10 @@ void read_content(Reader& in, PreparedStyle& style, Memory* memory) {
     graph.in_begin = in.array<uint32_t>(size_t{counts.nodes} + 1);
     graph.in_source = in.array<uint16_t>(counts.jumps);
     graph.in_cost = in.array<float>(counts.jumps);
+    if (has_caps) {
+        in.value(graph.start_cap);
+        in.value(graph.end_cap);
+    }
     if (in.left() > 0) throw Failure(FLG_ERROR_FORMAT, "data goes on for %zu bytes behind the style", in.left());
     check_values(style);
     complete_graph(graph, style.guide->offsets(), memory);
@@ -358,7 +370,7 @@ void write_style_file(const PreparedStyle& style, std::span<std::byte> out) {
     write_content(style, content);
     Writer header(out.data());
     header.value(magic);
-    header.value(version);
+    header.value(style.graph.caps() == 0 ? version : version_with_caps);
     header.value(uint32_t{0});
     header.value(static_cast<uint64_t>(out.size()));
     header.value(style_file_hash(out.subspan(style_file_content_offset)));
@@ -370,9 +382,9 @@ void read_style_file(std::span<const std::byte> data, PreparedStyle& style, Memo
     }
     Reader in(data.subspan(sizeof magic), memory);
     const auto its_version = in.value<uint32_t>();
-    if (its_version != version) {
-        throw Failure(FLG_ERROR_FORMAT, "data is a prepared style of format %u, this library reads format %u",
-                      its_version, version);
+    if (its_version != version && its_version != version_with_caps) {
+        throw Failure(FLG_ERROR_FORMAT, "data is a prepared style of format %u, this library reads formats %u and %u",
+                      its_version, version, version_with_caps);
     }
     const auto reserved = in.value<uint32_t>();
     const auto size = in.value<uint64_t>();
@@ -383,7 +395,7 @@ void read_style_file(std::span<const std::byte> data, PreparedStyle& style, Memo
     if (in.value<uint64_t>() != style_file_hash(data.subspan(style_file_content_offset))) {
         throw Failure(FLG_ERROR_FORMAT, "data is damaged: its hash does not fit");
     }
-    read_content(in, style, memory);
+    read_content(in, its_version == version_with_caps, style, memory);
 }
 
 // Eight bytes at a time through SplitMix64's finalizer, a bijection: any single change of up to eight bytes shows.

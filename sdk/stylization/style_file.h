@@ -3,7 +3,8 @@
 //
 // Little-endian, without padding: the magic "FLGSTYLE", u32 version, u32 0, u64 size of the whole, u64 hash of all that
 // follows; then, as StyleBytes lists them in style_file.cpp, counts, measures, the guide, displacement, matching,
-// attributes and the graph's jumps. Whatever follows from the rest (destinations, ends of curves) is made anew.
+// attributes and the graph's jumps, and its caps if it has any. Whatever follows from the rest (destinations, ends of
+// curves) is made anew.
 // Invariants: the same style gives the same bytes; a loaded style gives the same results, bit by bit. Nothing in the
 // bytes is trusted: the hash finds damage, but anyone can make one, so all that a job relies on is checked as if there
 // were none: sizes before memory is taken, the graph's order and reach, numbers for being finite.

@@ -41,9 +41,11 @@ StyleWalk::StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t 
 
 void StyleWalk::close(std::span<const Vec3> pinned) {
     const PatchGraph& graph = trees_->graph();
-    const uint32_t end = graph.curve_end[node_];
+    const uint32_t end = std::min(graph.curve_end[node_], graph.node_count - graph.end_cap);
     uint32_t ahead = 0;  // points of the same style curve before the node
-    while (ahead < last_path_max && ahead < node_ && graph.curve_end[node_ - ahead - 1] == end) ++ahead;
+    while (ahead < last_path_max && ahead + graph.start_cap < node_ &&
+           graph.curve_end[node_ - ahead - 1] == graph.curve_end[node_])
+        ++ahead;
     const uint32_t wanted = std::min(last_path_wanted, (end - node_ + ahead) / 2);
     if (ahead < wanted) {
         node_ += wanted - ahead;
@@ -63,6 +65,39 @@ void StyleWalk::close(std::span<const Vec3> pinned) {
     last_path_ = std::min(std::min(ahead, last_path_max) + 1, samples_left_);
 }
 
+void StyleWalk::begin_with_cap() {
+    if (trees_->graph().start_cap == 0) return;
+    begins_ = trees_->graph().start();
+    node_ = 0;
+    cap_left_ = trees_->graph().start_cap;
+}
+
+void StyleWalk::end_with_cap() {
+    const PatchGraph& graph = trees_->graph();
+    if (graph.end_cap == 0) return;
+    const uint32_t body_end = graph.node_count - graph.end_cap;
+    uint32_t run_in = 0;  // points of the same style curve before the cap
+    while (run_in < last_path_max && run_in < body_end - graph.start_cap &&
+           graph.curve_end[body_end - run_in - 1] == graph.node_count) {
+        ++run_in;
+    }
+    lead_home(graph.node_count - 1, graph.end_cap, run_in);
+}
+
+void StyleWalk::take_motifs() {
+    const PatchGraph& graph = trees_->graph();
+    if (cap_left_ == 0) node_ = graph.start();
+    motif_end_ = graph.motif_end();
+    if (graph.end_cap == 0) lead_home(motif_end_ - 1, 0, std::min(last_path_max, motif_end_ - 1 - graph.start()));
+}
+
+void StyleWalk::lead_home(uint32_t node, uint32_t cap, uint32_t run_in) {
+    home_ = node;
+    cap_ = cap;
+    // The start cap, or the first sample, is not part of it.
+    last_path_ = std::min(cap + run_in, samples_left_ - (std::max(cap_left_, 1U) - 1));
+}
+
 // At the last patch of a style curve, and the rest of the curve is enough for the rest of the target.
 bool StyleWalk::runs_out() const {
     const PatchGraph& graph = trees_->graph();
@@ -80,16 +115,21 @@ void StyleWalk::draw_destination() {
         destination_ = drawn < destination_ ? drawn : drawn + 1;
         destination_node_ = trees_->destination(destination_);
     }
-    hops_ = nullptr;
+    hops_ = hot_hops_ = nullptr;
 }
 
 uint32_t StyleWalk::copy_on(uint32_t most) {
     if (going_home_) return 0;
     most = std::min(most, samples_left_ - std::min(samples_left_, last_path_));
     uint32_t copies = 0;
-    if (finishing_) {
+    if (cap_left_ > 0) {
+        copies = std::min(most, cap_left_ - 1);
+        cap_left_ -= copies;
+    } else if (motif_end_ > 0) {
+        copies = std::min(most, motif_end_ - std::min(motif_end_, node_ + 2));
+    } else if (finishing_) {
         copies = most;
-    } else if (hops_ != nullptr) {
+    } else if (hops_ != nullptr && hot_trees_ == nullptr) {
         most = std::min(most, destination_node_ >= node_ ? destination_node_ - node_ : most);
         while (copies < most && hops_[node_ + copies] == node_ + copies + 1) ++copies;
     }
@@ -98,10 +138,21 @@ uint32_t StyleWalk::copy_on(uint32_t most) {
     return copies;
 }
 
-bool StyleWalk::advance() {
+bool StyleWalk::advance(bool hot) {
     if (going_home_) [[unlikely]] {
         node_ = copies_ == 0 ? landing(0) : node_ + 1;
         --copies_;  // having jumped, below 0: more than there are samples
+        --samples_left_;
+        return true;
+    }
+    if (cap_left_ > 0) [[unlikely]] {
+        --cap_left_;
+        node_ = cap_left_ == 0 ? begins_ : node_ + 1;
+        --samples_left_;
+        return true;
+    }
+    if (motif_end_ > 0) {
+        node_ = node_ + 2 == motif_end_ ? trees_->graph().start() : node_ + 1;
         --samples_left_;
         return true;
     }
@@ -112,13 +163,19 @@ bool StyleWalk::advance() {
     if (finishing_) {
         ++node_;
     } else {
-        if (hops_ == nullptr) hops_ = trees_->find(destination_);
-        if (hops_ == nullptr) return false;
-        node_ = hops_[node_];
+        const uint16_t*& hops = hot ? hot_hops_ : hops_;
+        if (hops == nullptr) hops = (hot ? hot_trees_ : trees_)->find(destination_);
+        if (hops == nullptr) return false;
+        node_ = hops[node_];
     }
     --samples_left_;
     return true;
 }
+
+SynthesisKernel::SynthesisKernel(const SynthesisInput& input, Memory* memory)
+    : input_(input),
+      tree_kernel_(memory),
+      first_steered_(input.steered ? size_t{last_blend_patches} * input.trees->graph().patch + 1 : 0, memory) {}
 
 void SynthesisKernel::begin(const StrokeInput& stroke) {
     stroke_ = stroke;
@@ -129,12 +186,19 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     displaced_.set_magnitude(input_.magnitude);
     node_known_ = true;
     finishing_.reset();
+    steered_.fill({.scale = stroke.across});
     // On closed curves one more than samples: where the style is when the curve has come around.
-    const bool has_end = stroke.plan.exact_step == 0;
+    const bool has_end = stroke.plan.exact_step == 0 || input_.trees->graph().end_cap > 0;
     walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key,
                       has_end ? stroke.plan.steps + 1 : StyleWalk::endless);
-    if (stroke.plan.curve.closed && stroke.plan.steps > 0)
+    walk_.heat(input_.hot_trees);
+    if (stroke.plan.curve.closed && stroke.plan.steps > 0) {
         walk_.close(input_.pin_ends ? all_displacements() : std::span<const Vec3>());
+    } else if (stroke.plan.steps > 0) {
+        walk_.begin_with_cap();
+        walk_.end_with_cap();
+        if (stroke.whole_motifs) walk_.take_motifs();
+    }
     blend_ = SeamBlend(input_.trees->graph().patch, input_.style->bend, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
 }
@@ -145,6 +209,7 @@ bool SynthesisKernel::run(uint32_t n) {
             if (n == 0) return false;
             followed_ = 0;
             if (sampler_->next(block_, n) == 0) return false;
+            if (stroke_.steered) steer_block();
         }
         if (!follow_style(n)) return false;
         write_block();
@@ -161,28 +226,56 @@ bool SynthesisKernel::advance() {
         blend_.cross_fade(points, all_displacements(),
                           {input_.trees->graph().curve_end.data(), input_.trees->graph().curve_end.size()});
     }
-    if (!walk_.advance()) return false;
+    if (!walk_.advance(is_hot())) return false;
     blend_.step(from, walk_.node(), [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; });
     return true;
+}
+
+void SynthesisKernel::steer_block() {
+    for (uint32_t k = 0; k < block_.count; ++k) {
+        const uint32_t segment = block_.segment[k];
+        const Steered& next = stroke_.steered[stroke_.plan.curve.following(segment)];
+        steered_[k] = stroke_.steered[segment].between(next, block_.t[k]);
+        steered_[k].scale *= stroke_.across;
+        if (written_ + k < first_steered_.size()) std::construct_at(&first_steered_[written_ + k], steered_[k]);
+    }
+}
+
+// At the sample to come: of a closed curve, behind the last one, the first.
+const Steered& SynthesisKernel::steered() const {
+    return followed_ < block_.count ? steered_[followed_] : first_steered_[0];
+}
+
+std::span<const Steered> SynthesisKernel::first_steered() const {
+    if (!stroke_.steered) return {};
+    return {first_steered_.data(), std::min<size_t>(first_steered_.size(), written_)};
+}
+
+bool SynthesisKernel::is_hot() const {
+    const uint32_t sample = written_ + (followed_ < block_.count ? followed_ : 0);
+    return input_.hot_trees && steered().is_hot(input_.seed, stroke_.key, sample);
 }
 
 std::span<const Vec3> SynthesisKernel::all_displacements() const {
     return {input_.style->displacement.data(), input_.style->displacement.size()};
 }
 
-// Where along the last path of a closed curve the runs before and behind the jump differ least, over as many points as
-// they are cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path.
+// Where along the last path the runs before and behind the jump differ least, over as many points as they are
+// cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path. The end
+// cap is not jumped into, nor copied before its time.
 uint32_t SynthesisKernel::copies_before_last_jump(uint32_t points) const {
     const Buffer<Vec3>& displacement = input_.style->displacement;
-    const uint32_t end = input_.trees->graph().curve_end[walk_.node()];
-    const uint32_t home_end = input_.trees->graph().curve_end[walk_.landing(0)];
+    const PatchGraph& graph = input_.trees->graph();
+    const uint32_t end = std::min(graph.curve_end[walk_.node()], graph.node_count - graph.end_cap);
+    const uint32_t home_end = graph.curve_end[walk_.landing(0)];
     uint32_t best = 0;
     bool best_has_room = false;
     double least = HUGE_VAL;
-    for (uint32_t copies = 0; copies < walk_.samples_left() && walk_.node() + copies + 1 < end; ++copies) {
+    const uint32_t copies_end = std::min(walk_.samples_left(), walk_.before_cap() + 1);
+    for (uint32_t copies = 0; copies < copies_end && walk_.node() + copies + 1 < end; ++copies) {
         const uint32_t from = walk_.node() + copies + 1, to = walk_.landing(copies);
         const bool has_room = copies >= blend_.points_left() && from + points < end && to + points < home_end &&
-                              copies + points < walk_.samples_left();
+                              copies + points < walk_.before_cap();
         if (best_has_room && !has_room) continue;
         double difference = 0;
         for (uint32_t probe = 0; probe <= last_blend_patches; ++probe) {
@@ -234,8 +327,15 @@ void SynthesisKernel::copy_style(uint32_t node, uint32_t count) {
     for (int c = 0; c < 3; ++c) std::copy_n(style.along[c].data() + node, count, displaced_.along[c] + followed_ + 1);
     for (uint32_t k = 0; k < count; ++k) nodes_[followed_ + k] = static_cast<float>(node + k);
     for (size_t a = 0; a < style.attributes.size(); ++a) {
-        const size_t at = size_t{written_ + followed_} * style.attributes[a].components;
-        blend_.write_run(a, node, count, stroke_.scale * style.scale, stroke_.out.attributes[a] + at);
+        const uint32_t components = style.attributes[a].components;
+        float* const out = stroke_.out.attributes[a] + size_t{written_ + followed_} * components;
+        if (!stroke_.steered) {
+            blend_.write_run(a, node, count, attribute_scale(a, 0), out);
+            continue;
+        }
+        for (uint32_t k = 0; k < count; ++k) {
+            blend_.write_run(a, node + k, 1, attribute_scale(a, followed_ + k), out + size_t{k} * components);
+        }
     }
     if (angle_ < style.attributes.size()) {
         for (uint32_t k = 0; k < count; ++k) displaced_.turn_rad[followed_ + k] = blend_.value(angle_, 0, node + k);
@@ -251,10 +351,15 @@ void SynthesisKernel::copy_blended() {
     nodes_[followed_] = static_cast<float>(node);
     for (size_t a = 0; a < style.attributes.size(); ++a) {
         const size_t at = size_t{written_ + followed_} * style.attributes[a].components;
-        blend_.write(a, node, stroke_.scale * style.scale, stroke_.out.attributes[a] + at);
+        blend_.write(a, node, attribute_scale(a, followed_), stroke_.out.attributes[a] + at);
     }
     if (angle_ < style.attributes.size()) displaced_.turn_rad[followed_] = blend_.value(angle_, 0, node);
     ++followed_;
+}
+
+double SynthesisKernel::attribute_scale(size_t attribute, uint32_t k) const {
+    const AppliedStyle& style = *input_.style;
+    return stroke_.scale * style.scale * steered_[k].size(style.attributes[attribute].attribute);
 }
 
 void SynthesisKernel::write_block() {
@@ -263,7 +368,13 @@ void SynthesisKernel::write_block() {
     const size_t at = 3 * static_cast<size_t>(written_);
     // A target without length has no frame to be displaced in.
     if (stroke_.plan.steps == 0) displaced_.set_along(0, Vec3::Zero());
-    displaced_.scale(count, static_cast<float>(stroke_.scale));
+    if (stroke_.steered) {
+        for (uint32_t k = 0; k < count; ++k) {
+            displaced_.scale_at(k, static_cast<float>(displacement_scale(steered_[k])));
+        }
+    } else {
+        displaced_.scale(count, static_cast<float>(displacement_scale(steered_[0])));
+    }
     if (!displace_samples(block_, displaced_)) {
         for (uint32_t k = 0; k < count; ++k) {
             const Vec3 displacement = displaced_.displacement_of(k);
@@ -283,6 +394,7 @@ void SynthesisKernel::write_block() {
     if (out.displacement) pack(displaced_.displacement, count, out.displacement + at);
     std::copy_n(nodes_.data(), count, out.style_index + written_);
     write_carried();
+    if (stroke_.steered) steer_carried_radii();
     written_ += count;
 }
 
@@ -295,8 +407,14 @@ void SynthesisKernel::write_carried() {
     }
 }
 
+// The target's radii: those of the style are steered with the other attributes.
+void SynthesisKernel::steer_carried_radii() {
+    if (stroke_.out.carried_radius == nullptr) return;
+    for (uint32_t k = 0; k < block_.count; ++k) stroke_.out.carried_radius[written_ + k] *= steered_[k].radius;
+}
+
 bool SynthesisKernel::make_tree(uint32_t& units) {
-    PathTrees& trees = *input_.trees;
+    PathTrees& trees = is_hot() ? *input_.hot_trees : *input_.trees;
     const uint32_t k = walk_.needed_tree();
     if (tree_ == nullptr) {
         if (units == 0) return false;
@@ -310,7 +428,8 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
 }
 
 Vec3 SynthesisKernel::in_first_frame(const Vec3& displacement) const {
-    return in_frame(stroke_.scale * displacement, first_tangent_, first_normal_);
+    const Steered& steered = stroke_.steered ? first_steered_[0] : steered_[0];
+    return in_frame(displacement_scale(steered) * displacement, first_tangent_, first_normal_);
 }
 
 // Once all samples are written.
@@ -338,6 +457,7 @@ bool SynthesisKernel::finish(uint32_t& units) {
                                        .start_excess = first_displacement_,
                                        .end_excess = last_displacement_,
                                        .around = blend_,
+                                       .first_steered = first_steered(),
                                        .start_time = stroke_.start_time};
         finishing_.emplace(finishing);
     }

@@ -36,17 +36,27 @@ public:
     // `from_start`: begins at the style's first point, and goes to the end of its first curve first (the first curve
     // with patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
     StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples);
+    // Steps may also go by the trees of another temperature, of the same graph.
+    void heat(PathTrees* hot_trees) { hot_trees_ = hot_trees; }
     // Before the first step along a closed curve: begins so far from the start of the style's curve that a last path
     // can lead there. The last of the samples is the first once more. `pinned`: the style's displacements, if the
     // result is moved so that its first point has none: then it begins near by where there is least.
     void close(std::span<const Vec3> pinned);
+    // Before the first step along an open curve: begins with the style's start cap, and ends with its end cap, if the
+    // style has them.
+    void begin_with_cap();
+    void end_with_cap();
+    // Likewise: whole motifs from the style's start on, one behind the other, the last one to its end and into the cap.
+    void take_motifs();
 
     uint32_t node() const { return node_; }
     uint32_t samples_left() const { return samples_left_; }
-    // Of a closed curve, where the last path begins: go_home() comes next.
+    // Of a closed curve, or one with a given end, where the last path begins: go_home() comes next.
     bool turns_home() const { return samples_left_ == last_path_ && !going_home_; }
     // The node that a jump after `copies` copied points would lead to.
     uint32_t landing(uint32_t copies) const { return home_ - (samples_left_ - copies - 1); }
+    // Samples from here on to the end cap, all if there is none.
+    uint32_t before_cap() const { return samples_left_ - cap_; }
     // Copies so many points, jumps, and copies up to where it began.
     void go_home(uint32_t copies) {
         going_home_ = true;
@@ -54,16 +64,21 @@ public:
     }
     // Copies on where that takes no decision, so many points at most; says how many.
     uint32_t copy_on(uint32_t most);
-    // To the next node. False if the tree to needed_tree() is missing: make it, then call again.
-    bool advance();
+    // To the next node, by the trees or the hot ones. False if the tree to needed_tree() is missing there: make it,
+    // then call again.
+    bool advance(bool hot = false);
     uint32_t needed_tree() const { return destination_; }
 
 private:
     void draw_destination();
     bool runs_out() const;
+    void lead_home(uint32_t node, uint32_t cap, uint32_t run_in);
 
     PathTrees* trees_ = nullptr;
-    const uint16_t* hops_ = nullptr;  // to the destination; null before it was looked up
+    PathTrees* hot_trees_ = nullptr;
+    // To the destination; null before it was looked up.
+    const uint16_t* hops_ = nullptr;
+    const uint16_t* hot_hops_ = nullptr;
     uint64_t seed_ = 0;
     uint64_t curve_index_ = 0;
     uint32_t draws_ = 0;
@@ -71,8 +86,12 @@ private:
     uint32_t destination_ = 0;  // as PathTrees numbers them
     uint32_t destination_node_ = 0;
     uint32_t samples_left_ = 0;  // after node()
-    uint32_t home_ = 0;          // of a closed curve: where it began
-    uint32_t last_path_ = 0;     // its samples, the first one behind its start and the last one home; 0: not closed
+    uint32_t cap_left_ = 0;      // steps to come of the start cap, the last one to where the walk then begins
+    uint32_t begins_ = 0;        // there
+    uint32_t motif_end_ = 0;     // one behind the last node of a motif; 0: none are taken
+    uint32_t home_ = 0;          // of a closed curve: where it began; of one with a given end: that
+    uint32_t cap_ = 0;           // samples of the end cap
+    uint32_t last_path_ = 0;     // its samples, the first one behind its start and the last one home; 0: no home
     uint32_t copies_ = 0;        // before the jump
     bool going_home_ = false;
     bool finishing_ = false;  // goes on to the style's end
@@ -84,6 +103,8 @@ struct SynthesisInput {
     double magnitude = 1;
     bool pin_ends = false;
     uint64_t seed = 1;
+    PathTrees* hot_trees = nullptr;  // of a driven temperature's other end
+    bool steered = false;            // strokes are
 };
 
 // One stroke along one target curve.
@@ -95,6 +116,9 @@ struct StrokeInput {
     double start_time = 0;                // seconds; for styles with SPEED
     StylizedColumns out;                  // outlive the run
     std::span<const ColumnPair> carried;  // the same
+    const Steered* steered = nullptr;     // at the curve's points
+    float across = 1;                     // factor on the style's size beside its steps
+    bool whole_motifs = false;
 };
 
 // The key of stroke number `stroke` along a curve; of stroke 0 it is the curve's index, however many there are.
@@ -107,7 +131,7 @@ constexpr uint64_t stroke_key(uint32_t curve, uint32_t stroke) {
 class SynthesisKernel {
 public:
     // What the input refers to outlives the kernel. Scratch memory for path trees is taken when one is missing.
-    SynthesisKernel(const SynthesisInput& input, Memory* memory) : input_(input), tree_kernel_(memory) {}
+    SynthesisKernel(const SynthesisInput& input, Memory* memory);
     ~SynthesisKernel() { input_.trees->discard(tree_); }
     SynthesisKernel(const SynthesisKernel&) = delete;
     SynthesisKernel& operator=(const SynthesisKernel&) = delete;
@@ -120,14 +144,21 @@ public:
 private:
     bool find_node(uint32_t& units);
     bool advance();
+    void steer_block();
+    const Steered& steered() const;
+    std::span<const Steered> first_steered() const;
+    bool is_hot() const;
     uint32_t copies_before_last_jump(uint32_t points) const;
     std::span<const Vec3> all_displacements() const;
     bool make_tree(uint32_t& units);
     bool follow_style(uint32_t& units);
     void copy_style(uint32_t node, uint32_t count);
     void copy_blended();
+    double displacement_scale(const Steered& steered) const { return stroke_.scale * steered.weight(); }
+    double attribute_scale(size_t attribute, uint32_t k) const;
     void write_block();
     void write_carried();
+    void steer_carried_radii();
     Vec3 in_first_frame(const Vec3& displacement) const;
     bool finish(uint32_t& units);
 
@@ -138,7 +169,9 @@ private:
     SampleBlock block_;
     DisplacedBlock displaced_;
     std::array<float, SampleBlock::capacity> nodes_;
-    uint32_t followed_ = 0;  // samples of the block that know what they copy
+    uint32_t followed_ = 0;                               // samples of the block that know what they copy
+    std::array<Steered, SampleBlock::capacity> steered_;  // the block's; if nothing is driven, all alike
+    Buffer<Steered> first_steered_;  // the first samples', as many as a closed curve's last blend has
     StyleWalk walk_;
     SeamBlend blend_;
     StrokeInput stroke_;

@@ -166,7 +166,7 @@ TEST(StyleData, TheSentenceSaysWhatIsWrong) {
     };
     const size_t content = style_file_content_offset;
     refused(0, 'f', "does not begin as one");
-    refused(8, uint32_t{2}, "format 2, this library reads format 1");
+    refused(8, uint32_t{3}, "format 3, this library reads formats 1 and 2");
     refused(style_file_hash_offset, uint64_t{1}, "its hash does not fit");
     refused(content, uint32_t{0}, "number of points");
     refused(content, uint32_t{16385}, "number of points");

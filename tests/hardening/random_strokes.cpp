@@ -51,6 +51,8 @@ void RandomHost::make_style() {
         desc.attributes = maybe(&attribute);
         desc.attribute_count = 1;
     }
+    if (chance(3)) desc.start_cap = number(-0.2, 1);
+    if (chance(3)) desc.end_cap = number(-0.2, 1);
     odd(desc);
     returned(flgStyleCreate(at(), maybe(&desc), out<FlgStyle>(style), job_out()));
     if (chance(2)) returned(flgStyleWarm(at(), any<FlgStyle>(style), number(0, 2), nullptr, job_out()));
@@ -84,6 +86,13 @@ void RandomHost::stylize() {
     desc.strokes = chance(10) ? draw(2000) : 1 + draw(2);
     desc.pin_ends = chance(3);
     desc.max_points = 5000;
+    if (chance(3)) desc.fit = number(0, 1);
+    const FlgStyleDrive drive = {
+        choice<FlgAttribute>(14), choice<FlgStyleDriven>(4), number(-1, 1), number(-1, 1), number(0, 2), number(0, 2)};
+    if (chance(3)) {
+        desc.drives = maybe(&drive);
+        desc.drive_count = 1;
+    }
     odd(desc);
     returned(flgCurveSetStylize(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
 }

@@ -183,7 +183,7 @@ void make_styles(Calls& calls) {
     FLG_CALL(calls, flgStyleCreateFromData, calls.context, data.data(), size, calls.out(loaded));
     FLG_CALL(calls, flgStyleRelease, calls.context, loaded);
 
-    // Every option at once: a guide of one's own, attributes, several patch sizes.
+    // Every option at once: a guide of one's own, attributes, several patch sizes, caps.
     FlgStyleDesc desc = FLG_INIT(calls, flgStyleDescInit);
     const FlgPatchSize sizes[] = {{2, 1}, {4, 0.5f}};
     const FlgStyleAttribute attribute = {FLG_ATTRIBUTE_RADIUS, FLG_METRIC_AUTO, 0.1f, 0};
@@ -194,6 +194,8 @@ void make_styles(Calls& calls) {
     desc.patch_size_count = 2;
     desc.attributes = &attribute;
     desc.attribute_count = 1;
+    desc.start_cap = 0.2f;
+    desc.end_cap = -1;
     FlgStyle rich{};
     FLG_CALL(calls, flgStyleCreate, calls.context, &desc, calls.out(rich), calls.job());
     calls.finish();
@@ -229,6 +231,11 @@ void stylize_curves(Calls& calls) {
     desc.scale = 0.5f;
     desc.temperature = 0;
     desc.pin_ends = 1;
+    const FlgStyleDrive drives[] = {{FLG_ATTRIBUTE_RADIUS, FLG_STYLE_DRIVEN_SCALE, 0, 0.1f, 0.7f, 1},
+                                    {FLG_ATTRIBUTE_STYLE_INDEX, FLG_STYLE_DRIVEN_TEMPERATURE, 0, 40, 0, 1}};
+    desc.drives = drives;
+    desc.drive_count = 2;
+    desc.fit = 0.5f;
     FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(two), calls.job());
     calls.finish();
     calls.note(two);
@@ -243,6 +250,9 @@ void draw_live_strokes(Calls& calls) {
     desc.scale = 0.3f;
     desc.max_samples = 64;
     desc.max_points = 512;
+    const FlgStyleDrive drive = {FLG_ATTRIBUTE_SPEED, FLG_STYLE_DRIVEN_SCALE, 0.5f, 2, 1, 0.8f};
+    desc.drives = &drive;
+    desc.drive_count = 1;
     FlgLiveStroke stroke{};
     FLG_CALL(calls, flgLiveStrokeBegin, context, &desc, calls.out(stroke));
     const Samples samples = drawn(30);

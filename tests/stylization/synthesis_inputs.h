@@ -61,7 +61,7 @@ struct StylizedCurve {
 inline AppliedStyle applied(const PreparedStyle& style, double scale, const std::array<double, 9>& basis,
                             bool haltingly = false) {
     return run_now(
-        memory(), [&](Pace& pace) { return fit_style(pace, style, scale, basis); }, haltingly);
+        memory(), [&](Pace& pace) { return fit_style(pace, style, scale, basis, scale); }, haltingly);
 }
 
 inline StylizedCurve stylize(const TestStyle& style, PathTrees& trees, const SamplingPlan& plan,

@@ -504,6 +504,56 @@ TEST_F(Stylize, EveryKindOfColumnGoesFromFileToFile) {
                    {"--columns", "x.obj holds no columns"});
 }
 
+TEST_F(Stylize, ColumnsOfTheTargetSteerTheStyle) {
+    std::string target = "# columns x y z pressure\n";
+    for (int i = 0; i <= 50; ++i) target += std::to_string(0.1 * i) + " 0 0 " + std::to_string(0.02 * i) + "\n";
+    folder.write("target.xyz", target);
+    const std::vector<std::string> stylize = {"stylize",    "--style", "builtin:loops", "--target",
+                                              "target.xyz", "-o",      "out.xyz",       "--scale",
+                                              "0.1",        "--quiet", "--report",      "report.json"};
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = stylize;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    done(with({"--drive", "pressure=magnitude:0:1,pressure:0.5:1=temperature:0:1"}));
+    EXPECT_EQ(report().at("parameters").at("drive").size(), 2u);
+    const std::vector<std::string> driven = lines_of(folder.read("out.xyz"));
+    EXPECT_NEAR(numbers_of<float>(driven.front()).at(1), 0, 1e-6);
+    EXPECT_GT(std::abs(numbers_of<float>(driven.back()).at(1)) + std::abs(numbers_of<float>(driven.back()).at(2)), 0);
+    done(with({"--drive", "pressure=scale:0.5:0.5"}));
+    EXPECT_GT(lines_of(folder.read("out.xyz")).size(), driven.size() * 19 / 10);
+    for (const char* wrong : {"pressure", "pressure=size:0:1", "weight=scale:1:2", "pressure=scale:1",
+                              "pressure:1=scale:1:2", "pressure=scale:a:2", "=", ""}) {
+        expect_refused(with({"--drive", wrong}), 2, {"--drive"});
+    }
+    expect_refused(with({"--drive", "width=scale:1:2"}), 1, {"desc.drives[0].attribute"});
+}
+
+TEST_F(Stylize, EndsAreFittedToTheTarget) {
+    const auto indices = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = {"stylize",     "--style", "builtin:zigzag", "--target", "builtin:flourish",
+                                        "-o",          "out.xyz", "--scale",        "0.05",     "--quiet",
+                                        "--save-path", "path.txt"};
+        all.insert(all.end(), more.begin(), more.end());
+        done(all);
+        return numbers_of<uint32_t>(folder.read("path.txt"));
+    };
+    const std::vector<uint32_t> copied = indices({}), fitted = indices({"--fit", "1"});
+    EXPECT_EQ(fitted.front(), 0u);
+    EXPECT_GT(fitted.back(), *std::max_element(copied.begin(), copied.end()) - 1);
+    const std::vector<uint32_t> capped = indices({"--caps", "0.1:0.2"});
+    EXPECT_EQ(capped.front(), 0u);
+    EXPECT_EQ(capped.back(), fitted.back());
+    indices({"--caps", "auto"});
+    expect_refused(
+        {"stylize", "--style", "builtin:zigzag", "--target", "builtin:flourish", "-o", "a.xyz", "--caps", "1"}, 2,
+        {"--caps"});
+    expect_refused(
+        {"stylize", "--style", "builtin:zigzag", "--target", "builtin:flourish", "-o", "a.xyz", "--fit", "2"}, 2,
+        {"--fit"});
+}
+
 TEST_F(Stylize, FramesComeFromTheTargetsFile) {
     folder.write("style.xyz", rich_coil());
     std::string target = "# columns x y z nx ny nz\n";

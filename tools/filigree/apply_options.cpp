@@ -2,6 +2,7 @@
 #include "apply_options.h"
 
 #include "choices.h"
+#include "drive_option.h"
 
 namespace flg::cli {
 namespace {
@@ -43,6 +44,26 @@ void ApplyOptions::add_to(CLI::App& app, const std::map<std::string, FlgFrameMet
     add_choice(app, "--start", start_, kStarts,
                "Where on the style a curve begins: its start, at random, or auto: its start for a lone curve and for "
                "strokes that are drawn");
+    app.add_option_function<std::vector<std::string>>(
+           "--drive",
+           [this](const std::vector<std::string>& words) {
+               drives_said_ = words;
+               drives_.clear();
+               for (const std::string& word : words) drives_.push_back(parse_drive(word));
+           },
+           "A column of the curves steers the style along them, from A where it is 0 to B where it is 1, or where it "
+           "is "
+           "FROM and TO: pressure, speed (else from times, m/s), radius, width, time, user0, user1, ...; WHAT is "
+           "magnitude, scale or radius, which are factors, or temperature. At most 8 (pressure=magnitude:0.2:1)")
+        ->delimiter(',')
+        ->type_name("NAME[:FROM:TO]=WHAT:A:B,...");
+}
+
+std::array<float, 2> ApplyOptions::temperatures() const {
+    for (const FlgStyleDrive& drive : drives_) {
+        if (drive.driven == FLG_STYLE_DRIVEN_TEMPERATURE) return {drive.at_from, drive.at_to};
+    }
+    return {temperature_, temperature_};
 }
 
 void ApplyOptions::describe(Report& report) const {
@@ -56,6 +77,7 @@ void ApplyOptions::describe(Report& report) const {
     report.parameters["frame"] = name_of(*frames_, frame_);
     report.parameters["start"] = name_of(kStarts, start_);
     for (float value : basis_) report.parameters["basis"].push_back(as_written(value));
+    for (const std::string& drive : drives_said_) report.parameters["drive"].push_back(drive);
 }
 
 }  // namespace flg::cli

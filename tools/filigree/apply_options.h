@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ public:
     void add_to(CLI::App& app, const std::map<std::string, FlgFrameMethod>& frames, const std::string& frame_help);
     void describe(Report& report) const;
 
-    float temperature() const { return temperature_; }
+    // Along the curves: the same twice, unless it is driven.
+    std::array<float, 2> temperatures() const;
     // 0: the SDK decides, as FlgCurveSetStylizeDesc::scale says.
     float scale() const { return scale_; }
 
@@ -31,6 +33,8 @@ public:
         desc.frame = frame_;
         desc.start = start_;
         std::copy(basis_.begin(), basis_.end(), desc.basis);
+        desc.drives = drives_.empty() ? nullptr : drives_.data();
+        desc.drive_count = static_cast<uint32_t>(drives_.size());
     }
 
 private:
@@ -40,6 +44,8 @@ private:
     FlgFrameMethod frame_ = flgCurveSetStylizeDefaults().frame;
     FlgStyleStart start_ = flgCurveSetStylizeDefaults().start;
     std::vector<float> basis_;  // empty: the identity
+    std::vector<FlgStyleDrive> drives_;
+    std::vector<std::string> drives_said_;
     const std::map<std::string, FlgFrameMethod>* frames_ = nullptr;
 };
 

@@ -250,12 +250,16 @@ void add_latencies(const Latencies& latencies, Report& report) {
 
 FlgStyle prepare_style(Session& session, const Options& options, Report& report) {
     FlgContext context = session.context();
-    FlgJob style_job = {}, warm_job = {};
+    FlgJob style_job = {};
     const FlgStyle style = options.style.start(context, report, style_job);
-    check(flgStyleWarm(context, style, options.apply.temperature(), nullptr, &warm_job), options.style.subject());
     std::vector<Session::Pending> jobs;
     if (style_job.id != 0) jobs.push_back({style_job, options.style.subject()});
-    jobs.push_back({warm_job, options.style.subject()});
+    const auto temperatures = options.apply.temperatures();
+    for (size_t k = 0; k < (temperatures[0] == temperatures[1] ? 1 : temperatures.size()); ++k) {
+        FlgJob warm_job = {};
+        check(flgStyleWarm(context, style, temperatures[k], nullptr, &warm_job), options.style.subject());
+        jobs.push_back({warm_job, options.style.subject()});
+    }
     session.finish(jobs, report);
     options.style.save(context, style, report);
     return style;

@@ -139,6 +139,12 @@ void StyleOptions::add_to(CLI::App& app, const std::string& smoothing) {
                "lengths, a hundredth of the style's length for others")
             ->delimiter(',')
             ->type_name("NAME[:WEIGHT],..."));
+    add(app.add_option_function<std::string>(
+               "--caps", [this](const std::string& text) { parse_caps(text); },
+               "Parts of the example that strokes begin and end with, once: lengths of its start and of its end, "
+               "metres; "
+               "auto: what comes before the first and after the last repetition")
+            ->type_name("START:END|auto"));
     add(add_choice(
         app, "--angle", angle_, kAngles,
         "Ribbons whose sides differ (s1) or not (rp1, half a turn changes nothing), and ellipses (radii) likewise"));
@@ -174,6 +180,17 @@ void StyleOptions::parse_patch_sizes(const std::vector<std::string>& words) {
     }
 }
 
+void StyleOptions::parse_caps(const std::string& text) {
+    constexpr float found = -1.0f;
+    const auto [start, end] = split(text);
+    desc_.start_cap = desc_.end_cap = found;
+    if (text == "auto") return;
+    if (!read_number(start, desc_.start_cap) || !read_number(end, desc_.end_cap) || desc_.start_cap < 0.0f ||
+        desc_.end_cap < 0.0f) {
+        throw CLI::ValidationError("--caps", "'" + text + "' is neither auto nor START:END, two numbers >= 0");
+    }
+}
+
 void StyleOptions::check_usage() const {
     if (style_.empty() && style_file_.empty()) {
         throw UsageError("--style is required, or --style-file with a style that was saved (filigree --help)");
@@ -206,6 +223,9 @@ void StyleOptions::describe(Report& report) const {
     report.parameters["guide_smoothing"] = as_written(desc_.smoothing);
     report.parameters["beta"] = as_written(desc_.beta);
     report.parameters["matching"] = kMatching;
+    if (desc_.start_cap != 0.0f || desc_.end_cap != 0.0f) {
+        report.parameters["caps"] = {as_written(desc_.start_cap), as_written(desc_.end_cap)};
+    }
     for (const Attribute& a : attributes_) report.parameters["attributes"].push_back(name_of_attribute(a.attribute));
     if (angle_ != FLG_METRIC_AUTO) report.parameters["angle"] = name_of(kAngles, angle_);
 }
@@ -248,6 +268,12 @@ FlgStyle StyleOptions::load(FlgContext context, Report& report) const {
     check(flgStyleCreateFromData(context, bytes.data(), bytes.size(), &style), style_file_);
     report.counts["style_file_bytes"] = bytes.size();
     return style;
+}
+
+void StyleOptions::describe_caps(const FlgStyleInfo& info, Report& report) {
+    if (info.start_cap_points + info.end_cap_points == 0) return;
+    report.counts["start_cap_points"] = info.start_cap_points;
+    report.counts["end_cap_points"] = info.end_cap_points;
 }
 
 void StyleOptions::save(FlgContext context, FlgStyle style, Report& report) const {

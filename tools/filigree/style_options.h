@@ -24,6 +24,8 @@ public:
     FlgStyle start(FlgContext context, Report& report, FlgJob& out_job) const;
     // Keeps the style, ready by now, if a file is wanted.
     void save(FlgContext context, FlgStyle style, Report& report) const;
+    // How long a prepared style's caps are, if it has any.
+    static void describe_caps(const FlgStyleInfo& info, Report& report);
     // What errors are about.
     const std::string& subject() const { return style_.empty() ? style_file_ : style_; }
 
@@ -37,6 +39,7 @@ private:
     std::vector<FlgStyleAttribute> attributes(double style_length) const;
     void parse_attributes(const std::vector<std::string>& words);
     void parse_patch_sizes(const std::vector<std::string>& words);
+    void parse_caps(const std::string& text);
 
     std::string style_, guide_, style_file_;
     std::vector<Attribute> attributes_;

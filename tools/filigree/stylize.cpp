@@ -30,6 +30,7 @@ struct Options {
     std::optional<float> displacement;
     std::string target, output;
     uint32_t strokes = flgCurveSetStylizeDefaults().strokes, max_points = flgCurveSetStylizeDefaults().max_points;
+    float fit = flgCurveSetStylizeDefaults().fit;
     bool closed = false, network = false, columns = false;
     SurfaceOptions surface;
     std::string save_guide, save_matching, save_path;
@@ -50,6 +51,7 @@ void describe(const Options& options, Report& report) {
     report.parameters["closed"] = options.closed;
     report.parameters["network"] = options.network;
     report.parameters["strokes"] = options.strokes;
+    if (options.fit > 0.0f) report.parameters["fit"] = as_written(options.fit);
     report.parameters["columns"] = options.columns;
     options.surface.describe(report);
 }
@@ -77,6 +79,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     options.apply.set(desc);
     desc.strokes = options.strokes;
     desc.max_points = options.max_points;
+    desc.fit = options.fit;
     desc.style = options.style.start(context, report, style_job);
     say_step("reading " + options.target);
     const CurveSource target(options.target);
@@ -117,6 +120,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
         default_radius = chosen.radius_at(chosen.median());
     }
     output.write(context, desc.style, {view, shapes, default_radius}, report);
+    StyleOptions::describe_caps(style_info(context, desc.style), report);
     report.write();
 }
 
@@ -143,6 +147,11 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
     app->add_option("--strokes", o->strokes, "Stylized copies of each curve, 1 to 1024")
         ->capture_default_str()
         ->check(CLI::Range(1u, kMaxStrokes).description(""));
+    app->add_option("--fit", o->fit,
+                    "Whole motifs, as many as come nearest to a curve's length; 0 to 1: near 0 they are skipped or "
+                    "repeated in part to fit, at 1 only stretched; 0 = copies, cut off where the curve ends")
+        ->capture_default_str()
+        ->check(between_including(0.0, 1.0));
     app->add_option("--max-points", o->max_points, "Maximum points of the result; 0 = 2^31")
         ->capture_default_str()
         ->check(CLI::Range(0u, 1u << 31).description(""));

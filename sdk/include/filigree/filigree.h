@@ -612,6 +612,14 @@ typedef struct FlgStyleDesc {
     uint32_t attribute_count;
     /* Attributes to transfer, at most 8, each once; null: the shape alone. */
     const FlgStyleAttribute* attributes;
+    /* Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a stroke's
+     * ends alone, metres along the example. Each open target begins with the one and ends with the other, once;
+     * between them no jump leads into a cap. A target too short for both gets both, smaller in all directions; closed
+     * targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before the first and after the
+     * last repetition of patches that are a sixteenth of the style's points long, or `patch` if that is longer
+     * (FlgStyleInfo says how long they are; patches are compared twice for it). What is left must be long enough for
+     * two patches. Default 0. */
+    float start_cap, end_cap;
 } FlgStyleDesc;
 
 FLG_API FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size);
@@ -636,6 +644,8 @@ typedef struct FlgStyleInfo {
     uint32_t reserved;
     const float* matching;     /* point_count arc lengths on the style's curves, metres; lives until the style is
                                   released */
+    uint32_t start_cap_points; /* the first points of the style, so many, are its start cap */
+    uint32_t end_cap_points;   /* likewise the last ones its end cap */
 } FlgStyleInfo;
 
 FLG_API FlgResult flgStyleInfoInit(FlgStyleInfo* info, uint32_t struct_size);
@@ -670,6 +680,28 @@ typedef enum FlgStyleStart {
     FLG_STYLE_START_RANDOM = 2, /* at a random point, chosen by seed and curve index */
     FLG_STYLE_START_FORCE_32BIT = 0x7fffffff
 } FlgStyleStart;
+
+/* What a column of the target can drive along it. */
+typedef enum FlgStyleDriven {
+    FLG_STYLE_DRIVEN_MAGNITUDE = 0,   /* a factor on `magnitude`; at most 1e30 in size */
+    FLG_STYLE_DRIVEN_SCALE = 1,       /* a factor on `scale`, above 0 and at most 1e30: the style's waves get shorter,
+                                         its displacements and its attributes' lengths smaller, points denser */
+    FLG_STYLE_DRIVEN_TEMPERATURE = 2, /* temperatures in place of `temperature`, >= 0: between the two, each point goes
+                                         on by a path of the one or the other, by chance, weighted. One drive at most */
+    FLG_STYLE_DRIVEN_RADIUS = 3,      /* a factor on the result's RADIUS, >= 0 */
+    FLG_STYLE_DRIVEN_FORCE_32BIT = 0x7fffffff
+} FlgStyleDriven;
+
+/* Steers a style along its targets: where the column is `from`, `driven` has the value `at_from`, where it is `to`, the
+ * value `at_to`; in between in proportion, beyond them no further. So at the target's points; values go evenly from one
+ * point to the next. Several drives of the same thing are multiplied. */
+typedef struct FlgStyleDrive {
+    FlgAttribute attribute; /* a column of one float: PRESSURE, RADIUS, WIDTH, a USER one, ... SPEED, where it lacks,
+                               is made from TIME: metres a second from the point before (infinite in no time) */
+    FlgStyleDriven driven;
+    float from, to;         /* finite, not equal; `from` may be above `to` */
+    float at_from, at_to;   /* finite; see FlgStyleDriven */
+} FlgStyleDrive;
 
 typedef struct FlgCurveSetStylizeDesc {
     uint32_t struct_size;
@@ -726,6 +758,16 @@ typedef struct FlgCurveSetStylizeDesc {
      * with pin_ends. 0: the whole number of equal steps that comes nearest. Default 0. */
     uint32_t exact_spacing;
     uint32_t reserved;
+    /* What columns of the target drive along it, at most 8; null: nothing, the same everywhere. */
+    const FlgStyleDrive* drives;
+    uint32_t drive_count;
+    /* Fits whole motifs to open targets, 0 to 1; a motif is the style's first curve that is long enough for a patch,
+     * without its caps. Above 0 a target has motif after motif (`start` and `temperature` have no effect), as many as
+     * come nearest to its length, at least one. That length is r times theirs: they are stretched along it by r^fit,
+     * and jumps in the last one skip or repeat the rest. 1 stretches alone; near 0 hardly anything stretches. A target
+     * too short for a motif gets it smaller in all directions; one shorter than a patch a whole one at any fit.
+     * 0: copies, cut off where a target ends. Not with exact_spacing. Default 0. */
+    float fit;
 } FlgCurveSetStylizeDesc;
 
 FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint32_t struct_size);

@@ -370,6 +370,9 @@ using Metric = FlgMetric;
 /// Where on the style a target curve begins.
 using StyleStart = FlgStyleStart;
 
+/// What a column of the target can drive along it.
+using StyleDriven = FlgStyleDriven;
+
 /// The cross-section of a brush mesh.
 using BrushShape = FlgBrushShape;
 
@@ -458,6 +461,11 @@ using StyleAttribute = FlgStyleAttribute;
 
 /// One of several patch sizes, sec. 4.5.4: their distances are summed with these weights.
 using PatchSize = FlgPatchSize;
+
+/// Steers a style along its targets: where the column is `from`, `driven` has the value `at_from`, where it is `to`,
+/// the value `at_to`; in between in proportion, beyond them no further. So at the target's points; values go evenly
+/// from one point to the next. Several drives of the same thing are multiplied.
+using StyleDrive = FlgStyleDrive;
 
 /// What a call of flgBrushMeshWrite writes.
 using BrushMeshSizes = FlgBrushMeshSizes;
@@ -575,6 +583,10 @@ struct StyleInfo {
     uint32_t flow_steps{};
     /// point_count arc lengths on the style's curves, metres; lives until the style is released
     Span<const float> matching;
+    /// the first points of the style, so many, are its start cap
+    uint32_t start_cap_points{};
+    /// likewise the last ones its end cap
+    uint32_t end_cap_points{};
 
     /// Empty.
     StyleInfo() { flgStyleInfoInit(&c_, detail::size_of<FlgStyleInfo>); }
@@ -590,6 +602,8 @@ struct StyleInfo {
         matching_energy = c.matching_energy;
         temperature_unit = c.temperature_unit;
         flow_steps = c.flow_steps;
+        start_cap_points = c.start_cap_points;
+        end_cap_points = c.end_cap_points;
         matching = detail::span(c.matching, point_count);
     }
     /// The C struct, for C functions.
@@ -1659,6 +1673,13 @@ struct CurveSetStylizeDesc : FlgCurveSetStylizeDesc {
         style = style_;
         target = target_;
     }
+    /// Sets drives and drive_count. The array must live until the descriptor is used.
+    void set_drives(Span<const FlgStyleDrive> values) {
+        drives = values.data();
+        drive_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_drives(std::initializer_list<FlgStyleDrive>) = delete;
 };
 
 /// What to make, and of which curves.
@@ -2394,6 +2415,13 @@ struct LiveStrokeDesc : FlgLiveStrokeDesc {
         flgLiveStrokeDescInit(this, detail::size_of<FlgLiveStrokeDesc>);
         style = style_;
     }
+    /// Sets drives and drive_count. The array must live until the descriptor is used.
+    void set_drives(Span<const FlgStyleDrive> values) {
+        drives = values.data();
+        drive_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_drives(std::initializer_list<FlgStyleDrive>) = delete;
 };
 
 /// Samples of the controller, as columns: arrays of the host, or members of an array of structs.

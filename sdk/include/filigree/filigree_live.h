@@ -23,11 +23,14 @@
  *                  to half a step from those drawn, and the last run may go on to the style's end. What cannot be the
  *                  same: RADIUS and TIME, which a live stroke makes of pressure and clock, the other carries over from
  *                  its target; `smoothing`, which the samples do not have; FLG_FRAME_METHOD_SUPPLIED, where the other
- *                  takes a NORMAL column; samples nearer to each other than a thousandth of a step, of which a live
- *                  stroke takes the first; strokes shorter than a step, which have one point here and two there; what
- *                  passes max_points.
+ *                  takes a NORMAL column; end caps; samples nearer to each other than a thousandth of a step, of which
+ *                  a live stroke takes the first; strokes shorter than a step, which have one point here and two there,
+ *                  or than both caps; what passes max_points.
+ * Caps             A stroke begins with its style's start cap (FlgStyleDesc). It has no end cap: points never move, and
+ *                  the end is not known before it is there.
+ * Steering         `drives`, as flgCurveSetStylize has them: by the hand's pressure and its speed; 10 ns a point more.
  * Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
- *                  by that attribute relative to its mean over the style.
+ *                  by that attribute relative to its mean over the style, and by what drives the radius.
  * Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
  *                  a motion at that speed gets there, starting at 0.
  * Frame            Rotation-minimizing (double reflection). The first normal is the y axis of the controller at the
@@ -96,7 +99,7 @@ typedef struct FlgLiveStrokeDesc {
     float smoothing;
     /* Maximum distance between consecutive samples, metres, > 0; longer jumps are refused. Default 1. */
     float max_jump;
-    /* Capacity in samples (1 to 2^20) and points (1 to 2^24): about 270 bytes a sample, 44 a point and 4 for each
+    /* Capacity in samples (1 to 2^20) and points (1 to 2^24): about 400 bytes a sample, 44 a point and 4 for each
      * component of the style's attributes; 257 more points for the tip. Default 16,384 and 65,536. */
     uint32_t max_samples;
     uint32_t max_points; /* points beyond this are cut off, see FlgLiveStrokeInfo */
@@ -110,6 +113,12 @@ typedef struct FlgLiveStrokeDesc {
     uint32_t reserved;
     double origin[3]; /* metres: what samples and points are relative to. flgLiveStrokeReplay takes its samples'
                          instead. Default 0 */
+    /* What the hand drives along the stroke, at most 8; null: nothing. By PRESSURE, or by SPEED: metres a second from
+     * the sample before (infinite in no time), for which samples need times. The style must be warm at both
+     * temperatures of a drive. Copied by flgLiveStrokeBegin. */
+    const FlgStyleDrive* drives;
+    uint32_t drive_count;
+    uint32_t reserved2;
 } FlgLiveStrokeDesc;
 
 FLG_API FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct_size);

@@ -23,11 +23,14 @@
 //                  to half a step from those drawn, and the last run may go on to the style's end. What cannot be the
 //                  same: RADIUS and TIME, which a live stroke makes of pressure and clock, the other carries over from
 //                  its target; `smoothing`, which the samples do not have; FlgFrameMethod.Supplied, where the other
-//                  takes a NORMAL column; samples nearer to each other than a thousandth of a step, of which a live
-//                  stroke takes the first; strokes shorter than a step, which have one point here and two there; what
-//                  passes max_points.
+//                  takes a NORMAL column; end caps; samples nearer to each other than a thousandth of a step, of which
+//                  a live stroke takes the first; strokes shorter than a step, which have one point here and two there,
+//                  or than both caps; what passes max_points.
+// Caps             A stroke begins with its style's start cap (FlgStyleDesc). It has no end cap: points never move, and
+//                  the end is not known before it is there.
+// Steering         `drives`, as flgCurveSetStylize has them: by the hand's pressure and its speed; 10 ns a point more.
 // Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
-//                  by that attribute relative to its mean over the style.
+//                  by that attribute relative to its mean over the style, and by what drives the radius.
 // Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
 //                  a motion at that speed gets there, starting at 0.
 // Frame            Rotation-minimizing (double reflection). The first normal is the y axis of the controller at the

@@ -36,7 +36,7 @@ namespace Filigree
         /// </summary>
         public float max_jump;
         /// <summary>
-        /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 270 bytes a sample, 44 a point and 4 for each
+        /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 400 bytes a sample, 44 a point and 4 for each
         /// component of the style's attributes; 257 more points for the tip. Default 16,384 and 65,536.
         /// </summary>
         public uint max_samples;
@@ -56,6 +56,14 @@ namespace Filigree
         /// metres: what samples and points are relative to. flgLiveStrokeReplay takes its samples' instead. Default 0
         /// </summary>
         public fixed double origin[3];
+        /// <summary>
+        /// What the hand drives along the stroke, at most 8; null: nothing. By PRESSURE, or by SPEED: metres a second
+        /// from the sample before (infinite in no time), for which samples need times. The style must be warm at both
+        /// temperatures of a drive. Copied by flgLiveStrokeBegin.
+        /// </summary>
+        public FlgStyleDrive* drives;
+        public uint drive_count;
+        public uint reserved2;
     }
 
     /// <summary>Samples of the controller, as columns: arrays of the host, or members of an array of structs.</summary>

@@ -454,6 +454,26 @@ namespace Filigree
         public uint attribute_count;
         /// <summary>Attributes to transfer, at most 8, each once; null: the shape alone.</summary>
         public FlgStyleAttribute* attributes;
+        /// <summary>
+        /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
+        /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
+        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
+        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
+        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
+        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
+        /// left must be long enough for two patches. Default 0.
+        /// </summary>
+        public float start_cap;
+        /// <summary>
+        /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
+        /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
+        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
+        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
+        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
+        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
+        /// left must be long enough for two patches. Default 0.
+        /// </summary>
+        public float end_cap;
     }
 
     public unsafe partial struct FlgStyleInfo
@@ -484,6 +504,33 @@ namespace Filigree
         public uint reserved;
         /// <summary>point_count arc lengths on the style's curves, metres; lives until the style is released</summary>
         public float* matching;
+        /// <summary>the first points of the style, so many, are its start cap</summary>
+        public uint start_cap_points;
+        /// <summary>likewise the last ones its end cap</summary>
+        public uint end_cap_points;
+    }
+
+    /// <summary>
+    /// Steers a style along its targets: where the column is `from`, `driven` has the value `at_from`, where it is
+    /// `to`, the value `at_to`; in between in proportion, beyond them no further. So at the target's points; values go
+    /// evenly from one point to the next. Several drives of the same thing are multiplied.
+    /// </summary>
+    public unsafe partial struct FlgStyleDrive
+    {
+        /// <summary>
+        /// a column of one float: PRESSURE, RADIUS, WIDTH, a USER one, ... SPEED, where it lacks, is made from TIME:
+        /// metres a second from the point before (infinite in no time)
+        /// </summary>
+        public FlgAttribute attribute;
+        public FlgStyleDriven driven;
+        /// <summary>finite, not equal; `from` may be above `to`</summary>
+        public float from;
+        /// <summary>finite, not equal; `from` may be above `to`</summary>
+        public float to;
+        /// <summary>finite; see FlgStyleDriven</summary>
+        public float at_from;
+        /// <summary>finite; see FlgStyleDriven</summary>
+        public float at_to;
     }
 
     public unsafe partial struct FlgCurveSetStylizeDesc
@@ -562,6 +609,18 @@ namespace Filigree
         /// </summary>
         public uint exact_spacing;
         public uint reserved;
+        /// <summary>What columns of the target drive along it, at most 8; null: nothing, the same everywhere.</summary>
+        public FlgStyleDrive* drives;
+        public uint drive_count;
+        /// <summary>
+        /// Fits whole motifs to open targets, 0 to 1; a motif is the style's first curve that is long enough for a
+        /// patch, without its caps. Above 0 a target has motif after motif (`start` and `temperature` have no effect),
+        /// as many as come nearest to its length, at least one. That length is r times theirs: they are stretched along
+        /// it by r^fit, and jumps in the last one skip or repeat the rest. 1 stretches alone; near 0 hardly anything
+        /// stretches. A target too short for a motif gets it smaller in all directions; one shorter than a patch a
+        /// whole one at any fit. 0: copies, cut off where a target ends. Not with exact_spacing. Default 0.
+        /// </summary>
+        public float fit;
     }
 
     /// <summary>In which size a style was drawn on each curve of a result.</summary>

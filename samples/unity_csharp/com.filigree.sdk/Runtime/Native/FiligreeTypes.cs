@@ -263,6 +263,25 @@ namespace Filigree
         Random = 2,
     }
 
+    /// <summary>What a column of the target can drive along it.</summary>
+    public enum FlgStyleDriven
+    {
+        /// <summary>FLG_STYLE_DRIVEN_MAGNITUDE: a factor on `magnitude`; at most 1e30 in size</summary>
+        Magnitude = 0,
+        /// <summary>
+        /// FLG_STYLE_DRIVEN_SCALE: a factor on `scale`, above 0 and at most 1e30: the style's waves get shorter, its
+        /// displacements and its attributes' lengths smaller, points denser
+        /// </summary>
+        Scale = 1,
+        /// <summary>
+        /// FLG_STYLE_DRIVEN_TEMPERATURE: temperatures in place of `temperature`, &gt;= 0: between the two, each point
+        /// goes on by a path of the one or the other, by chance, weighted. One drive at most
+        /// </summary>
+        Temperature = 2,
+        /// <summary>FLG_STYLE_DRIVEN_RADIUS: a factor on the result's RADIUS, &gt;= 0</summary>
+        Radius = 3,
+    }
+
     /// <summary>A running or finished piece of work.</summary>
     public partial struct FlgJob : IEquatable<FlgJob>
     {

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// Ends of stylized strokes: caps, whole motifs, targets too short for either.
+#include "api/live_inputs.h"
+#include "api/style_inputs.h"
+
+namespace flg::test {
+namespace {
+
+// Waves along x, with a flourish of another kind in front of them and behind them, each a tenth of the whole.
+Curves flourished(double front = 1, double back = 1) {
+    Curves curves;
+    for (uint32_t i = 0; i <= 1000; ++i) {
+        const double x = 0.01 * i;
+        const double wave = 0.1 * std::sin(8 * M_PI * x);
+        const double in_front = x < 1 ? front * std::pow(std::sin(M_PI * x), 2) : 0;
+        const double behind = x > 9 ? back * std::pow(std::sin(M_PI * x), 2) : 0;
+        curves.add_point(x, wave + 0.25 * in_front, 0.25 * behind);
+    }
+    curves.end_curve();
+    return curves;
+}
+
+// A straight guide, so that the style is all of it.
+Curves axis() {
+    Curves curves;
+    curves.add_point(0, 0, 0);
+    curves.add_point(10, 0, 0);
+    curves.end_curve();
+    return curves;
+}
+
+Curves line(double length) {
+    Curves curves;
+    curves.add_point(0, 0, 0);
+    curves.add_point(length, 0, 0);
+    curves.end_curve();
+    return curves;
+}
+
+class Fitting : public testing::Test {
+protected:
+    void learn(float start_cap, float end_cap) {
+        FlgStyleDesc style = flgStyleDefaults();
+        style.style = host.create(flourished());
+        style.guide = host.create(axis());
+        style.start_cap = start_cap;
+        style.end_cap = end_cap;
+        desc.style = prepare(host, style);
+        desc.keep_displacement = 1;
+        info = style_info(host, desc.style);
+    }
+    Heard along(Curves target) {
+        desc.target = host.create(std::move(target));
+        return heard_of(host.view_of(stylize(host, desc)));
+    }
+    std::vector<float> indices(double length) { return along(line(length)).of(FLG_ATTRIBUTE_STYLE_INDEX); }
+
+    // The caps once, at the ends, and nowhere else.
+    void expect_caps(const std::vector<float>& index) const {
+        const size_t start = info.start_cap_points, end = info.end_cap_points, points = info.point_count;
+        ASSERT_GE(index.size(), start + end);
+        for (size_t i = 0; i < index.size(); ++i) {
+            if (i < start) {
+                ASSERT_EQ(index[i], static_cast<float>(i));
+            } else if (i >= index.size() - end) {
+                ASSERT_EQ(index[i], static_cast<float>(points - (index.size() - i))) << i;
+            } else {
+                ASSERT_GE(index[i], static_cast<float>(start)) << i;
+                ASSERT_LT(index[i], static_cast<float>(points - end)) << i;
+            }
+        }
+    }
+
+    Host host;
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
+    FlgStyleInfo info{};
+};
+
+TEST_F(Fitting, StrokesBeginAndEndWithTheMarkedCaps) {
+    learn(1.2f, 0.8f);
+    EXPECT_GT(info.start_cap_points, info.end_cap_points);
+    EXPECT_GT(info.end_cap_points, info.point_count / 30);
+    for (const float temperature : {0.0f, 1.0f}) {
+        desc.temperature = temperature;
+        for (const auto start : {FLG_STYLE_START_STYLE, FLG_STYLE_START_RANDOM}) {
+            desc.start = start;
+            for (const double length : {3.0, 7.0, 10.0, 45.0}) expect_caps(indices(length));
+        }
+    }
+}
+
+TEST_F(Fitting, EitherCapCanBeMissing) {
+    learn(1.2f, 0);
+    EXPECT_EQ(info.end_cap_points, 0u);
+    expect_caps(indices(30));
+    learn(0, 0.8f);
+    EXPECT_EQ(info.start_cap_points, 0u);
+    expect_caps(indices(30));
+    expect_caps(indices(0.5));
+}
+
+TEST_F(Fitting, CapsAreFoundWhereNothingRepeats) {
+    learn(-1, -1);
+    // The flourishes are a tenth of the example each; what is nearer to the waves than a patch is open to doubt.
+    const double tenth = info.point_count / 10.0;
+    EXPECT_NEAR(info.start_cap_points, tenth, 0.5 * tenth);
+    EXPECT_NEAR(info.end_cap_points, tenth, 0.5 * tenth);
+    expect_caps(indices(30));
+    FlgStyleDesc style = flgStyleDefaults();
+    style.style = host.create(flourished(0, 0));
+    style.guide = host.create(axis());
+    style.start_cap = style.end_cap = -1;
+    const FlgStyleInfo plain = style_info(host, prepare(host, style));
+    EXPECT_EQ(plain.start_cap_points, 0u);
+    EXPECT_EQ(plain.end_cap_points, 0u);
+}
+
+// Both caps, in proportion: along the target and away from it.
+TEST_F(Fitting, ShortTargetsGetSmallCaps) {
+    learn(1.2f, 0.8f);
+    const std::vector<float> whole = along(line(3)).of(FLG_ATTRIBUTE_DISPLACEMENT);
+    const double needed = info.spacing * (info.start_cap_points + info.end_cap_points);
+    for (const double share : {0.5, 0.1}) {
+        const Heard small = along(line(share * needed));
+        const auto& index = small.of(FLG_ATTRIBUTE_STYLE_INDEX);
+        expect_caps(index);
+        for (size_t i = 0; i < 3 * size_t{info.start_cap_points}; ++i) {
+            EXPECT_NEAR(small.of(FLG_ATTRIBUTE_DISPLACEMENT)[i], share * whole[i], 0.01) << i;
+        }
+    }
+}
+
+TEST_F(Fitting, ClosedTargetsHaveNoCaps) {
+    learn(1.2f, 0.8f);
+    Curves circle;
+    for (int i = 0; i < 60; ++i) circle.add_point(5 * std::cos(0.1 * i), 5 * std::sin(0.1 * i), 0);
+    circle.end_curve(FLG_CURVE_CLOSED);
+    const Heard around = along(circle);
+    for (const float index : around.of(FLG_ATTRIBUTE_STYLE_INDEX)) {
+        EXPECT_GE(index, static_cast<float>(info.start_cap_points));
+        EXPECT_LT(index, static_cast<float>(info.point_count - info.end_cap_points));
+    }
+}
+
+TEST_F(Fitting, CapsGoWithTheStylesData) {
+    learn(1.2f, 0.8f);
+    const std::vector<float> before = indices(12);
+    size_t size = 0;
+    ASSERT_EQ(flgStyleGetData(host.context, desc.style, nullptr, 0, &size), FLG_OK);
+    std::vector<char> bytes(size);
+    ASSERT_EQ(flgStyleGetData(host.context, desc.style, bytes.data(), size, &size), FLG_OK);
+    ASSERT_EQ(flgStyleCreateFromData(host.context, bytes.data(), size, &desc.style), FLG_OK) << flgErrorGetMessage();
+    EXPECT_EQ(style_info(host, desc.style).start_cap_points, info.start_cap_points);
+    EXPECT_EQ(style_info(host, desc.style).end_cap_points, info.end_cap_points);
+    EXPECT_EQ(indices(12), before);
+}
+
+// Motif after motif, whatever the length: the number of them that is nearest, and nothing skipped.
+TEST_F(Fitting, WholeMotifsFillTheLength) {
+    desc.fit = 1;
+    learn(0, 0);
+    const auto points = static_cast<float>(info.point_count);
+    for (const double motifs : {0.1, 0.7, 1.0, 1.4, 2.6, 7.3}) {
+        const std::vector<float> index = indices(motifs * info.guide_length);
+        const double whole = std::max(std::floor(motifs + 0.5), 1.0);
+        EXPECT_EQ(static_cast<double>(index.size()), whole * (points - 1) + 1) << motifs;
+        EXPECT_EQ(index.front(), 0);
+        EXPECT_EQ(index.back(), points - 1);
+        for (size_t i = 1; i < index.size(); ++i) {
+            ASSERT_TRUE(index[i] == index[i - 1] + 1 || (index[i] == 0 && index[i - 1] == points - 2)) << i;
+        }
+    }
+}
+
+// Sizes that the SDK chooses: a line gets the example's proportion, and so one motif, however long it is.
+TEST_F(Fitting, EachCurveIsFittedInItsOwnSize) {
+    desc.fit = 1;
+    desc.scale = 0;
+    learn(0, 0);
+    for (const double length : {0.3, 4.0, 50.0}) {
+        const std::vector<float> index = indices(length);
+        ASSERT_EQ(index.size(), size_t{info.point_count}) << length;
+        for (size_t i = 0; i < index.size(); ++i) ASSERT_EQ(index[i], static_cast<float>(i)) << i;
+    }
+}
+
+TEST_F(Fitting, FitChoosesBetweenStretchingAndCopying) {
+    learn(1.2f, 0.8f);
+    const double motif = info.point_count - info.start_cap_points - info.end_cap_points - 1;
+    const double caps = info.start_cap_points + info.end_cap_points;
+    for (const double motifs : {0.8, 1.3, 2.4}) {
+        for (const float fit : {0.01f, 0.5f, 1.0f}) {
+            desc.fit = fit;
+            const double whole = std::max(std::floor(motifs + 0.5), 1.0);
+            const std::vector<float> index = indices((motifs * motif + caps) * info.spacing);
+            expect_caps(index);
+            const double steps = caps + whole * motif * std::pow(motifs / whole, 1 - double{fit});
+            EXPECT_NEAR(static_cast<double>(index.size()) - 1, steps, 1.5) << motifs << " " << fit;
+            size_t jumps = 0;
+            for (size_t i = 1; i < index.size(); ++i) jumps += index[i] != index[i - 1] + 1;
+            // One into each further motif; one for what is left over, in a motif that was begun for it.
+            EXPECT_LE(jumps, static_cast<size_t>(whole - 1 + (fit < 1 ? 2 : 0)));
+        }
+    }
+}
+
+// Smaller in all directions, as long as the target is.
+TEST_F(Fitting, ATargetShorterThanAPatchGetsASmallMotif) {
+    desc.fit = 0.01f;
+    learn(0, 0);
+    const std::vector<float> whole = along(line(info.guide_length)).of(FLG_ATTRIBUTE_DISPLACEMENT);
+    const double share = 0.01;
+    const Heard small = along(line(share * info.guide_length));
+    ASSERT_EQ(small.points(), size_t{info.point_count});
+    for (size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_NEAR(small.of(FLG_ATTRIBUTE_DISPLACEMENT)[i], share * whole[i], 1e-5) << i;
+    }
+}
+
+// A style with a start cap alone: live is batch.
+TEST(LiveFitting, StrokesBeginWithTheStartCap) {
+    LiveHost host;
+    FlgStyleDesc style = flgStyleDefaults();
+    style.point_count = 256;
+    style.style = host.create(coil());
+    style.start_cap = 2;
+    host.style = host.live.style = prepare(host, style);
+    host.warm(0);
+    const uint32_t cap = style_info(host, host.style).start_cap_points;
+    ASSERT_GT(cap, 5u);
+    const FlgLiveStroke stroke = host.begin();
+    host.push_in_bursts(stroke, drawn(250), {3, 1});
+    const LiveHost::Ended ended = host.end(stroke);
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
+    desc.style = host.style;
+    desc.target = ended.samples;
+    desc.scale = host.live.scale;
+    desc.exact_spacing = 1;
+    const Heard batch = heard_of(host.view_of(stylize(host, desc)));
+    const Heard live = heard_of(host.view_of(ended.stylized));
+    for (uint32_t i = 0; i < cap; ++i) {
+        ASSERT_EQ(live.of(FLG_ATTRIBUTE_STYLE_INDEX)[i], static_cast<float>(i));
+    }
+    EXPECT_TRUE(live.of(FLG_ATTRIBUTE_STYLE_INDEX) == batch.of(FLG_ATTRIBUTE_STYLE_INDEX));
+    EXPECT_TRUE(live.of(FLG_ATTRIBUTE_POSITION) == batch.of(FLG_ATTRIBUTE_POSITION));
+}
+
+TEST_F(Fitting, Refusals) {
+    learn(0, 0);
+    FlgStyleDesc style = flgStyleDefaults();
+    style.style = host.create(flourished());
+    style.start_cap = style.end_cap = 12;
+    expect_failing_job(host, style, FLG_ERROR_INVALID_ARGUMENT, "too short for two patches");
+    style.start_cap = NAN;
+    FlgStyle none{};
+    expect_failure(flgStyleCreate(host.context, &style, &none, nullptr), FLG_ERROR_INVALID_ARGUMENT, "desc.start_cap");
+    FlgCurveSet out{};
+    desc.target = host.create(line(3));
+    desc.fit = 1.5f;
+    expect_failure(flgCurveSetStylize(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT, "desc.fit");
+    desc.fit = 0.5f;
+    desc.exact_spacing = 1;
+    expect_failure(flgCurveSetStylize(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT, "desc.fit");
+}
+
+}  // namespace
+}  // namespace flg::test
