@@ -40,6 +40,10 @@ GridInput read_grid(const FlgManifoldFromGridDesc& desc) {
     return input;
 }
 
+void check_smoothing_scale(double scale) {
+    check_range(scale >= 0 && std::isfinite(scale), "desc.smoothing_scale", scale, "0 or above, in metres");
+}
+
 }  // namespace
 
 }  // namespace flg
@@ -57,13 +61,14 @@ FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFrom
     return guarded([&] {
         Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
         const FlgManifoldFromSurfaceDesc read = read_struct(desc, sized<FlgManifoldFromSurfaceDesc>(), "desc");
+        check_smoothing_scale(read.smoothing_scale);
         Submission submission(self, read.job);
         const auto held = self.make(self.manifolds);
         held->kind = ManifoldKind::hypersurface;
         held->surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(held->surface, "desc.surface");
         held->origin = held->surface->origin;
-        submission.job().strand.start(make_mesh_manifold(submission.pace(), held));
+        submission.job().strand.start(make_mesh_manifold(submission.pace(), read.smoothing_scale, held));
         *out_manifold = {submission.commit(self.manifolds, held, out_job)};
     });
 }
@@ -81,6 +86,7 @@ FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgManifoldFromP
         check_range(read.point_count >= 4 && read.point_count <= 1u << 24, "desc.point_count", read.point_count,
                     "4 to 2^24");
         check_range(read.neighbours >= 6 && read.neighbours <= 32, "desc.neighbours", read.neighbours, "6 to 32");
+        check_smoothing_scale(read.smoothing_scale);
         require(read.points, "desc.points");
         Submission submission(self, read.job);
         Buffer<Position> points = read_positions(read.points, read.point_count, "desc.points", memory), normals;
@@ -89,7 +95,7 @@ FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgManifoldFromP
         held->kind = ManifoldKind::hypersurface;
         held->origin = read_origin(read.origin, "desc.origin");
         submission.job().strand.start(
-            make_cloud_manifold(submission.pace(), std::move(points), std::move(normals), read.neighbours, held));
+            make_cloud_manifold(submission.pace(), std::move(points), std::move(normals), read, held));
         *out_manifold = {submission.commit(self.manifolds, held, out_job)};
     });
 }

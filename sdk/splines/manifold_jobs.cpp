@@ -17,23 +17,24 @@ std::shared_ptr<const Manifold> keep(T manifold, Memory* memory) {
 
 }  // namespace
 
-Task<void> make_mesh_manifold(Pace& pace, std::shared_ptr<ManifoldProduct> out) {
+Task<void> make_mesh_manifold(Pace& pace, double smoothing_scale, std::shared_ptr<ManifoldProduct> out) {
     pace.stage("samples");
     if (out->surface->mesh().triangles.size() == 0)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.surface has no triangles");
     MeshComponents components = co_await find_components(pace, out->surface->mesh());
     if (components.count > 1) out->components = std::move(components.of_vertex);
-    SampledSurface sampled = co_await sample_mesh(pace, out->surface->mesh());
+    SampledSurface sampled = co_await sample_mesh(pace, out->surface->mesh(), smoothing_scale);
     out->largest_deviation = sampled.deviation.largest;
     out->mean_deviation = sampled.deviation.mean();
     out->manifold = keep(std::move(sampled.surface), pace.memory());
 }
 
-Task<void> make_cloud_manifold(Pace& pace, Buffer<Position> points, Buffer<Position> normals, uint32_t neighbours,
-                               std::shared_ptr<ManifoldProduct> out) {
+Task<void> make_cloud_manifold(Pace& pace, Buffer<Position> points, Buffer<Position> normals,
+                               FlgManifoldFromPointsDesc desc, std::shared_ptr<ManifoldProduct> out) {
     pace.stage("samples");
     const std::span<const Position> places(points.data(), points.size()), normal_list(normals.data(), normals.size());
-    SampledSurface sampled = co_await sample_cloud(pace, places, normal_list, neighbours);
+    const CloudOptions options{.neighbours = desc.neighbours, .smoothing_scale = desc.smoothing_scale};
+    SampledSurface sampled = co_await sample_cloud(pace, places, normal_list, options);
     out->largest_deviation = sampled.deviation.largest;
     out->mean_deviation = sampled.deviation.mean();
     out->manifold = keep(std::move(sampled.surface), pace.memory());

@@ -251,6 +251,11 @@ Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out) {
         store_vec3(Vec3(basis[0], basis[1], basis[2]).cross(Vec3(basis[3], basis[4], basis[5])),
                    &out.normals[size_t{3} * i]);
     });
+    out.held = Buffer<uint32_t>(optimizer.report().held, pace.memory());
+    size_t held = 0;
+    co_await each(pace, nodes, Cost::some_ns, [&](uint32_t i) {
+        if (optimizer.is_held(i)) out.held[held++] = i;
+    });
     out.hints = optimizer.take_hints();
 }
 
@@ -281,6 +286,7 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     const uint32_t nodes = std::max(wanted, least);
     co_await begin_chain(pace, request, nodes, problem, given);
     pace.stage("minimize");
+    problem.holds_nodes = held.has_normals();
     const double tolerance = problem.tolerance;
     const uint32_t max_rounds = problem.max_rounds;
     uint32_t subdivisions = request.desc.subdivisions, rounds = 0;
@@ -319,6 +325,8 @@ void Spline::show() noexcept {
     view_.normals = normals.data();
     view_.point_count = static_cast<uint32_t>(knots.size());
     view_.point_nodes = knots.data();
+    view_.held_nodes = held.data();
+    view_.held_count = static_cast<uint32_t>(held.size());
     view_.offsets = offsets.data();
     for (const double offset : offsets) view_.largest_offset = std::max(view_.largest_offset, offset);
 }

@@ -29,6 +29,7 @@ public:
     Buffer<double> hints;        // of these
     Buffer<double> given;        // the same, of the given points
     Buffer<uint32_t> knots;      // their nodes
+    Buffer<uint32_t> held;       // nodes that the optimizer held
     Buffer<double> offsets;      // how far they were from the manifold, m
     Buffer<float> normals;       // 3 a node, of surfaces in R^3
     bool closed = false;

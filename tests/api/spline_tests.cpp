@@ -231,6 +231,50 @@ TEST(SplineApi, WhereChordsLeadAstrayTheFirstCurveWalks) {
     }
 }
 
+// A ball as a scanner sees it: curves come to rest, and say which of their nodes are held at its edges.
+TEST(SplineApi, RoughMeshesHaveCurvesToo) {
+    const Host host(2);
+    MeshArrays mesh = torus_mesh(240, 96, 2, 0.8);
+    uint32_t state = 1;
+    for (float& c : mesh.positions) {
+        state = state * 1664525u + 1013904223u;
+        c += 0.03f * (static_cast<float>(state >> 8) / 16777216.0f - 0.5f);
+    }
+    const FlgManifold rough = mesh_manifold(host, mesh);
+    uint32_t held = 0;
+    for (uint32_t stroke = 0; stroke < 16; ++stroke) {
+        std::vector<double> points;
+        for (uint32_t i = 0; i < 7; ++i) {
+            const double a = 0.3 * stroke + 0.25 * i, b = 0.7 * std::sin(1.7 * i + stroke), r = 2 + 0.8 * std::cos(b);
+            points.insert(points.end(), {r * std::cos(a), r * std::sin(a), 0.8 * std::sin(b)});
+        }
+        FlgSplineDesc desc = spline_desc(rough, points);
+        desc.tolerance = 1e-4;
+        const MadeSpline made = make_spline(host, desc);
+        ASSERT_EQ(made.result, FLG_OK) << made.error;
+        EXPECT_EQ(made.view.ending, FLG_SPLINE_ENDING_CONVERGED) << stroke;
+        held += made.view.held_count;
+        for (uint32_t k = 0; k < made.view.held_count; ++k) {
+            EXPECT_LT(made.view.held_nodes[k], made.view.node_count);
+            if (k > 0) EXPECT_GT(made.view.held_nodes[k], made.view.held_nodes[k - 1]);
+            for (uint32_t p = 0; p < 7; ++p) EXPECT_NE(made.view.held_nodes[k], made.view.point_nodes[p]);
+        }
+    }
+    EXPECT_GT(held, 0u);
+    // Through a scale of some edges the noise is gone, and with it the edges.
+    FlgManifoldFromSurfaceDesc smooth = flgManifoldFromSurfaceDefaults();
+    smooth.surface = mesh_surface(host, mesh);
+    smooth.smoothing_scale = 0.2;
+    FlgManifold seen{};
+    ASSERT_EQ(flgManifoldCreateFromSurface(host.context, &smooth, &seen, nullptr), FLG_OK) << flgErrorGetMessage();
+    const std::vector<double> points = torus_points(8, 2, 0.8);
+    const MadeSpline made = make_spline(host, spline_desc(seen, points));
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    EXPECT_EQ(made.view.ending, FLG_SPLINE_ENDING_CONVERGED);
+    EXPECT_EQ(made.view.held_count, 0u);
+    EXPECT_EQ(made.view.held_nodes, nullptr);
+}
+
 TEST(SplineApi, RoundsAreNotExceeded) {
     const Host host;
     const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8);

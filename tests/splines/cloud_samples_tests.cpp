@@ -46,7 +46,8 @@ std::vector<Vec3> vertices_of(const Soup& soup) {
 SampledSurface sample(const Cloud& cloud, bool with_normals, bool haltingly = false, uint32_t neighbours = 16) {
     const auto normals = with_normals ? std::span<const Position>(cloud.normals) : std::span<const Position>();
     return run_now(
-        test_memory(), [&](Pace& pace) { return sample_cloud(pace, cloud.points, normals, neighbours); }, haltingly);
+        test_memory(),
+        [&](Pace& pace) { return sample_cloud(pace, cloud.points, normals, {.neighbours = neighbours}); }, haltingly);
 }
 
 class CloudSamples : public testing::TestWithParam<bool> {};

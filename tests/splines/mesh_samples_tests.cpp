@@ -40,6 +40,57 @@ TEST(MeshSamples, OfASphereComeNearItQuickly) {
     EXPECT_LT(second.form, 0.05);
 }
 
+// A scale loses what is smaller, and little of what is larger: noise of vertices falls, the sphere stays.
+TEST(MeshSamples, SeenThroughAScaleLoseNoiseAndKeepTheShape) {
+    const SphereSurface exact(1);
+    const std::vector<Vec3> points = random_points(300, 1);
+    const Soup smooth = sphere(5);
+    Soup noisy = smooth;
+    for (size_t v = 0; v < noisy.positions.size(); ++v) {
+        const Vec3 at = load_vec3(noisy.positions[v].data());
+        noisy.positions[v] = to_position((1 + 0.01 * (2 * random_unit(3, v, 0) - 1)) * at);
+    }
+    const double scale = 0.2;
+    const SurfaceErrors kept = errors_against(exact, sample(make_mesh(smooth), false, scale).surface, points);
+    EXPECT_LT(kept.place, 2e-3);
+    EXPECT_LT(kept.normal, 1e-2);
+    const SurfaceErrors rough = errors_against(exact, sample(make_mesh(noisy)).surface, points);
+    const SurfaceErrors seen = errors_against(exact, sample(make_mesh(noisy), false, scale).surface, points);
+    EXPECT_LT(seen.place, 0.4 * rough.place);
+    EXPECT_LT(seen.normal, 0.1 * rough.normal);
+    EXPECT_LT(seen.form, 0.1 * rough.form);
+}
+
+TEST(MeshSamples, SeenThroughAScaleHaveTheSameBitsWhereverTheyHalt) {
+    const Mesh mesh = make_mesh(closed_torus(24));
+    const SampledSurface at_once = sample(mesh, false, 0.15), haltingly = sample(mesh, true, 0.15);
+    ASSERT_EQ(at_once.surface.sample_count(), haltingly.surface.sample_count());
+    EXPECT_LT(at_once.surface.sample_count(), mesh.vertex_count() / 2);
+    for (uint32_t i = 0; i < at_once.surface.sample_count(); ++i) {
+        EXPECT_EQ(at_once.surface.sample(i).position, haltingly.surface.sample(i).position);
+        EXPECT_EQ(at_once.surface.sample(i).bend, haltingly.surface.sample(i).bend);
+    }
+}
+
+// Samples that lie farther apart than the scale stay as they are.
+TEST(MeshSamples, OfACoarseMeshAreTheSameThroughAFineScale) {
+    const Mesh mesh = make_mesh(closed_torus(24));
+    const SampledSurface own = sample(mesh), seen = sample(mesh, false, 0.01);
+    ASSERT_EQ(own.surface.sample_count(), seen.surface.sample_count());
+    for (uint32_t i = 0; i < own.surface.sample_count(); ++i)
+        EXPECT_EQ(own.surface.sample(i).position, seen.surface.sample(i).position);
+}
+
+TEST(MeshSamples, AScaleLargerThanTheSurfaceIsRefused) {
+    try {
+        sample(make_mesh(closed_torus(24)), false, 1e9);
+        ADD_FAILURE() << "not refused";
+    } catch (const Failure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("desc.smoothing_scale is 1e+09 m"), std::string::npos)
+            << failure.what();
+    }
+}
+
 TEST(MeshSamples, HoldWhatZeroSetsHold) {
     const Mesh mesh = make_mesh(closed_torus(24));
     const SampledSurface sampled = sample(mesh);

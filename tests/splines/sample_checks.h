@@ -44,9 +44,9 @@ inline Soup box(const Vec3& size) {
     return soup;
 }
 
-inline SampledSurface sample(const Mesh& mesh, bool haltingly = false) {
+inline SampledSurface sample(const Mesh& mesh, bool haltingly = false, double smoothing_scale = 0) {
     return run_now(
-        test_memory(), [&](Pace& pace) { return sample_mesh(pace, mesh); }, haltingly);
+        test_memory(), [&](Pace& pace) { return sample_mesh(pace, mesh, smoothing_scale); }, haltingly);
 }
 
 // Points anywhere on the mesh.

@@ -305,6 +305,53 @@ TEST(GeodesicPath, FollowsARowOfFiniteDistances) {
     EXPECT_NEAR(path.length, 1, 1e-6);
 }
 
+// Distances are a guess: misleading ones, and none at all, give a locally shortest path as well.
+TEST(GeodesicPath, IsFoundWhateverTheFieldSays) {
+    const RegionSet all(test_memory());
+    uint64_t vertex = 0;
+    const Mesh meshes[] = {
+        make_mesh(plane(12, 0.2)), make_mesh(torus(24, 12)),
+        make_mesh(grid(14, 14, [&](double x, double y) { return Vec3(x, y, 0.3 * random_unit(5, vertex++, 0)); }))};
+    for (const Mesh& mesh : meshes) {
+        std::vector<float> level(mesh.vertex_count(), 1), noise, unreachable(mesh.vertex_count(), HUGE_VALF);
+        for (uint32_t v = 0; v < mesh.vertex_count(); ++v) noise.push_back(float(random_unit(11, v, 0)));
+        for (const std::vector<float>& distances : {std::vector<float>(), level, noise, unreachable}) {
+            for (uint64_t seed = 0; seed < 30; ++seed) {
+                const SurfacePoint from = random_point(mesh, seed), to = random_point(mesh, seed + 900);
+                SurfaceCurves curves(test_memory());
+                const GeodesicPath path = add_path(mesh, from, to, distances, all, curves);
+                ASSERT_TRUE(path.found && path.is_straight);
+                ASSERT_TRUE(end_polyline(curves, false, path.length));
+                expect_valid(mesh, curves);
+                expect_locally_shortest(mesh, curves, 0);
+                EXPECT_NEAR(length_of(mesh, curves, 0), path.length, 1e-6 * (1 + path.length));
+                const Vec3 straight = position_of(mesh, from) - position_of(mesh, to);
+                if (&mesh == meshes) EXPECT_NEAR(path.length, straight.norm(), 2e-6);
+            }
+        }
+    }
+}
+
+// Triangles of other regions are no way, nor is a vertex that fans only touch at; another part of the mesh is none
+// either.
+TEST(GeodesicPath, WithoutAFieldKeepsToTheRegions) {
+    Mesh mesh = make_mesh(plane(9));
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+        const Vec3 centre = position_of(mesh, {t, 1 / 3.0f, 1 / 3.0f});
+        const bool wall = centre.x() > 0.44 && centre.x() < 0.56;
+        mesh.regions[t] = wall ? centre.y() < 0.9 ? 2 : 3 : 1;
+    }
+    const SurfacePoint from = nearest_vertex(mesh, {0, 0, 0}), to = nearest_vertex(mesh, {1, 0, 0});
+    const uint32_t labels[] = {1, 3};
+    const RegionSet halves(labels, 1, test_memory()), gate(labels, 2, test_memory());
+    SurfaceCurves curves(test_memory());
+    EXPECT_FALSE(add_path(mesh, from, to, {}, halves, curves).found);
+    EXPECT_EQ(curves.points.size(), 0u);
+    const double top = 8.0 / 9, left = 4.0 / 9, right = 5.0 / 9;
+    EXPECT_NEAR(add_path(mesh, from, to, {}, gate, curves).length,
+                std::hypot(left, top) + (right - left) + std::hypot(1 - right, top), 1e-6);
+}
+
 // Saddles are where paths go through vertices: many locally shortest ones, and each test is in find_path().
 TEST(GeodesicPath, IsLocallyShortestOnRoughGround) {
     for (double height : {0.02, 0.1, 0.4}) {

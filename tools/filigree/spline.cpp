@@ -21,7 +21,7 @@ namespace {
 struct Options {
     std::string surface, points, output, obstacles;
     FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
-    double tension = 1, smoothing = 0, tolerance = 1e-6, feature = 0, layer = 0;
+    double tension = 1, smoothing = 0, smoothing_scale = 0, tolerance = 1e-6, feature = 0, layer = 0;
     float height = 0;
     uint32_t nodes = 0, rounds = 200;
     bool closed = false, inside = false;
@@ -144,6 +144,7 @@ void describe(const Options& options, Report& report) {
     report.parameters["energy"] = name_of(energy_names(), options.energy);
     if (options.energy == FLG_SPLINE_ENERGY_ET) report.parameters["tension"] = options.tension;
     report.parameters["smoothing"] = options.smoothing;
+    if (options.smoothing_scale > 0) report.parameters["smoothing_scale"] = options.smoothing_scale;
     report.parameters["tolerance"] = options.tolerance;
     if (options.feature > 0) report.parameters["feature"] = options.feature;
     if (options.layer > 0) report.parameters["layer"] = options.layer;
@@ -158,12 +159,14 @@ void run_spline(const Options& options, const CommonOptions& common) {
     Session session(common);
     const SpaceLines lines = read_lines(options.points, report);
     const bool among = !options.obstacles.empty();
-    const SplineManifold manifold = make_spline_manifold(session, options.surface, among, options.feature, report);
+    const SplineManifold manifold = make_spline_manifold(
+        session, options.surface,
+        {.among_obstacles = among, .feature = options.feature, .smoothing_scale = options.smoothing_scale}, report);
     SplineObstacles obstacles;
     if (among) obstacles = read_obstacles(session, options.obstacles, manifold.view.ambient);
     if (options.inside || options.layer > 0) obstacles = keep_inside(session, manifold, options.layer, report);
     std::vector<Made> all;
-    uint32_t rounds = 0, nodes = 0;
+    uint32_t rounds = 0, nodes = 0, held = 0;
     double energy = 0, residual = 0, offset = 0, length = 0;
     for (uint32_t line = 0; line < lines.count(); ++line) {
         all.push_back(
@@ -171,6 +174,7 @@ void run_spline(const Options& options, const CommonOptions& common) {
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
         nodes += view.node_count;
+        held += view.held_count;
         energy += view.energy;
         length += view.length;
         residual = std::max(residual, view.residual);
@@ -178,6 +182,18 @@ void run_spline(const Options& options, const CommonOptions& common) {
         if (view.largest_offset > 0.5 * manifold.view.size) {
             report.warn(all.back().subject + ": a point is " + std::to_string(view.largest_offset) +
                         " m off the surface, which is about " + std::to_string(manifold.view.size) + " m large");
+        }
+        if (view.held_count > 0) {
+            const double* const at = view.nodes + size_t{view.ambient} * view.held_nodes[0];
+            std::string place;
+            for (uint32_t c = 0; c < 3; ++c) {
+                if (c > 0) place += ' ';
+                append_number(place, at[c], view.origin[c]);
+            }
+            report.warn(all.back().subject + ": " + std::to_string(view.held_count) +
+                        (view.held_count == 1 ? " point is" : " points are") +
+                        " held where the surface has a sharp edge, the first at " + place +
+                        "; --smoothing-scale rounds edges off");
         }
         if (view.ending != FLG_SPLINE_ENDING_CONVERGED) {
             report.warn(all.back().subject + ": ended by " + ending_name(view.ending) + ", with a residual of " +
@@ -187,6 +203,7 @@ void run_spline(const Options& options, const CommonOptions& common) {
     report.counts["points"] = lines.offsets.back();
     report.counts["curves"] = lines.count();
     report.counts["curve_points"] = nodes;
+    if (held > 0) report.counts["held_points"] = held;
     report.quality["iterations"] = rounds;
     report.quality["energy"] = energy;
     report.quality["residual"] = residual;
@@ -220,6 +237,12 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
     app->add_option("--smoothing", o->smoothing,
                     "Lets the curve leave the points: the energy plus their squared distances over this is least; 0 "
                     "goes through")
+        ->check(at_least_zero())
+        ->capture_default_str();
+    app->add_option(
+           "--smoothing-scale", o->smoothing_scale,
+           "Of a mesh or a cloud: sees it through this scale (metres), so that smaller noise, relief and creases "
+           "are rounded off; 0: as it is")
         ->check(at_least_zero())
         ->capture_default_str();
     app->add_flag("--closed", o->closed, "From the last point back to the first");

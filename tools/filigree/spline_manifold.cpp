@@ -76,25 +76,28 @@ bool is_cloud(const std::string& file) {
     return file.ends_with(".xyz") || file.ends_with(".XYZ");
 }
 
-void make_cloud(Session& session, const std::string& file, SplineManifold& out, Report& report) {
+void make_cloud(Session& session, const std::string& file, double smoothing_scale, SplineManifold& out,
+                Report& report) {
     const SpaceLines lines = read_lines(file, report);
     FlgManifoldFromPointsDesc desc;
     flgManifoldFromPointsDescInit(&desc, sizeof desc);
     desc.points = lines.positions.data();
     std::copy(lines.origin.begin(), lines.origin.end(), desc.origin);
     desc.point_count = lines.offsets.back();
+    desc.smoothing_scale = smoothing_scale;
     report.counts["cloud_points"] = desc.point_count;
     FlgJob job = {};
     check(flgManifoldCreateFromPoints(session.context(), &desc, &out.handle, &job), file);
     session.finish({{{job, file}}}, report);
 }
 
-void make_mesh(Session& session, const std::string& file, SplineManifold& out, Report& report) {
+void make_mesh(Session& session, const std::string& file, double smoothing_scale, SplineManifold& out, Report& report) {
     out.mesh = std::make_unique<MeshSurface>(session, file, 0.0f, report);
     out.mesh->warn_of_repairs(report);
     FlgManifoldFromSurfaceDesc desc;
     flgManifoldFromSurfaceDescInit(&desc, sizeof desc);
     desc.surface = out.mesh->handle();
+    desc.smoothing_scale = smoothing_scale;
     FlgJob job = {};
     check(flgManifoldCreateFromSurface(session.context(), &desc, &out.handle, &job), file);
     session.finish({{{job, file}}}, report);
@@ -102,27 +105,29 @@ void make_mesh(Session& session, const std::string& file, SplineManifold& out, R
 
 }  // namespace
 
-SplineManifold make_spline_manifold(Session& session, const std::string& text, bool among_obstacles, double feature,
+SplineManifold make_spline_manifold(Session& session, const std::string& text, const SplineManifoldOptions& options,
                                     Report& report) {
     SplineManifold out;
     out.name = text;
     FlgManifoldShapeDesc shape;
     std::string formula;
-    if (read_shape(text, among_obstacles, shape, formula)) {
+    if (read_shape(text, options.among_obstacles, shape, formula)) {
+        if (options.smoothing_scale > 0)
+            throw UsageError("--smoothing-scale: SURFACE must be a mesh or a cloud, not " + text);
         out.is_space = shape.shape == FLG_MANIFOLD_SHAPE_SPACE;
         if (flgManifoldCreateShape(session.context(), &shape, &out.handle) != FLG_OK) {
             throw UsageError("SURFACE: " + text + ": " + flgErrorGetMessage());
         }
-    } else if (among_obstacles) {
+    } else if (options.among_obstacles) {
         throw UsageError("--obstacles: SURFACE must be plane or space, not " + text);
     } else if (is_cloud(text)) {
-        make_cloud(session, text, out, report);
+        make_cloud(session, text, options.smoothing_scale, out, report);
     } else {
-        make_mesh(session, text, out, report);
+        make_mesh(session, text, options.smoothing_scale, out, report);
     }
-    if (feature > 0) {
+    if (options.feature > 0) {
         const FlgManifold base = out.handle;
-        check(flgManifoldCreateImage(session.context(), base, feature, &out.handle), text + ": --feature");
+        check(flgManifoldCreateImage(session.context(), base, options.feature, &out.handle), text + ": --feature");
     }
     flgManifoldViewInit(&out.view, sizeof out.view);
     check(flgManifoldGetView(session.context(), out.handle, &out.view), text);

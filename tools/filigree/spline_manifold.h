@@ -18,9 +18,15 @@ struct SplineManifold {
     bool is_space = false;  // of view.ambient dimensions: 2 of the plane among obstacles
 };
 
-// sphere:R, torus:R,r, plane, space, implicit:NAME, or a file. `among_obstacles`: a plane is R^2, and surfaces are
-// refused. Says in the report how far the smooth surface is from what it was made of. Throws InputError, UsageError.
-SplineManifold make_spline_manifold(Session& session, const std::string& text, bool among_obstacles, double feature,
+struct SplineManifoldOptions {
+    bool among_obstacles = false;  // a plane is R^2, and surfaces are refused
+    double feature = 0;            // metres: the weight of the normals
+    double smoothing_scale = 0;    // metres, of meshes and clouds
+};
+
+// sphere:R, torus:R,r, plane, space, implicit:NAME, or a file. Says in the report how far the smooth surface is from
+// what it was made of. Throws InputError, UsageError.
+SplineManifold make_spline_manifold(Session& session, const std::string& text, const SplineManifoldOptions& options,
                                     Report& report);
 
 }  // namespace flg::cli

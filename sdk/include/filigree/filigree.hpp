@@ -1400,6 +1400,9 @@ struct SplineView {
     Span<const float> normals;
     /// one per given point: its node
     Span<const uint32_t> point_nodes;
+    /// nodes that stay at an edge or a gap of the surface, ascending; the curve is optimized as if they were given
+    /// points. Null if there are none
+    Span<const uint32_t> held_nodes;
     /// one per given point, metres: its distance from the manifold
     Span<const double> offsets;
     /// the largest of these, metres
@@ -1408,6 +1411,8 @@ struct SplineView {
     uint32_t rounds{};
     /// projections of all nodes onto the manifold
     uint32_t projections{};
+    /// number of held_nodes; 0 while running
+    uint32_t held_count{};
     /// with all weights
     double energy{};
     /// E2: exact for the spline of R^n through the nodes
@@ -1435,6 +1440,7 @@ struct SplineView {
         largest_offset = c.largest_offset;
         rounds = c.rounds;
         projections = c.projections;
+        held_count = c.held_count;
         energy = c.energy;
         bending = c.bending;
         stretching = c.stretching;
@@ -1445,6 +1451,7 @@ struct SplineView {
         parameters = detail::span(c.parameters, std::size_t{node_count} + (closed != 0));
         normals = detail::span(c.normals, std::size_t{3} * node_count);
         point_nodes = detail::span(c.point_nodes, point_count);
+        held_nodes = detail::span(c.held_nodes, held_count);
         offsets = detail::span(c.offsets, point_count);
     }
     /// The C struct, for C functions.
@@ -4311,8 +4318,8 @@ public:
     /// and curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The manifold's
     /// view gives the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets that face the
     /// same way blend where they are closer than an edge length. Tangents jump across edges sharper than about 114
-    /// degrees, where curves may stall. The surface continues a little beyond open borders: FLG_OBSTACLE_KIND_BORDER
-    /// keeps curves from there. Cost: about 1 us a triangle.
+    /// degrees, where nodes of curves are held (see FlgSplineView). The surface continues a little beyond open borders:
+    /// FLG_OBSTACLE_KIND_BORDER keeps curves from there. Cost: about 1 us a triangle.
     /// Calls flgManifoldCreateFromSurface.
     Result<Manifold> manifold_from_surface(const ManifoldFromSurfaceDesc& desc, Job* out_job = nullptr) const {
         FlgManifold out_manifold{};
@@ -4394,9 +4401,9 @@ public:
     /// curve can be moved to: a chain of nodes on the manifold whose fourth derivative (E1: second) has no tangential
     /// part between the given points. Fails with FLG_ERROR_INVALID_ARGUMENT if a point cannot be projected, two
     /// consecutive points coincide, or no path leads from one to the next (add points between them). Antipodal points
-    /// of a sphere give a half circle, always the same one. Two points give a geodesic, also with E2. If rounds run out
-    /// or rounding stops progress, the curve is still available, and the view says so. Cost: 1 us a node and round on a
-    /// mesh, and 3 to 8 rounds.
+    /// of a sphere give a half circle, always the same one. Two points give a geodesic, also with E2. On a mesh there
+    /// is a way between any two points of one connected part. If rounds run out or rounding stops progress, the curve
+    /// is still available, and the view says so. Cost: 1 us a node and round on a mesh, and 3 to 8 rounds.
     /// Calls flgSplineCreate.
     Result<Spline> spline(const SplineDesc& desc, Job* out_job = nullptr) const {
         FlgSpline out_spline{};

@@ -65,6 +65,9 @@ typedef struct FlgManifoldFromSurfaceDesc {
     uint32_t reserved;
     const FlgJobOptions* job;
     FlgSurface surface; /* kept by the manifold; later cuts do not change the manifold */
+    double smoothing_scale; /* metres: the surface is seen through this scale; noise, relief and creases that are smaller
+                               are rounded off, as by a road over rough ground. At most a quarter of the surface's size.
+                               Default 0: as the mesh is */
 } FlgManifoldFromSurfaceDesc;
 
 FLG_API FlgResult flgManifoldFromSurfaceDescInit(FlgManifoldFromSurfaceDesc* desc, uint32_t struct_size);
@@ -72,8 +75,8 @@ FLG_API FlgResult flgManifoldFromSurfaceDescInit(FlgManifoldFromSurfaceDesc* des
 /* Starts a job that makes the smooth surface of a mesh: moving least squares over its vertices, with their normals and
  * curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The manifold's view gives
  * the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets that face the same way blend
- * where they are closer than an edge length. Tangents jump across edges sharper than about 114 degrees, where curves
- * may stall. The surface continues a little beyond open borders: FLG_OBSTACLE_KIND_BORDER keeps curves from there.
+ * where they are closer than an edge length. Tangents jump across edges sharper than about 114 degrees, where nodes of
+ * curves are held (see FlgSplineView). The surface continues a little beyond open borders: FLG_OBSTACLE_KIND_BORDER keeps curves from there.
  * Cost: about 1 us a triangle. */
 FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFromSurfaceDesc* desc,
                                                FlgManifold* out_manifold, FlgJob* out_job);
@@ -86,6 +89,7 @@ typedef struct FlgManifoldFromPointsDesc {
     const float* normals; /* 3 per point, not 0; null: computed, and oriented consistently along the cloud */
     uint32_t neighbours;  /* points in each neighbourhood, 6 to 32: more smooth more. Default 16 */
     uint32_t reserved;
+    double smoothing_scale; /* metres, see FlgManifoldFromSurfaceDesc. Default 0 */
     double origin[3];     /* metres: what points are relative to. Default 0 */
 } FlgManifoldFromPointsDesc;
 
@@ -346,7 +350,8 @@ FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
  * can be moved to: a chain of nodes on the manifold whose fourth derivative (E1: second) has no tangential part between
  * the given points. Fails with FLG_ERROR_INVALID_ARGUMENT if a point cannot be projected, two consecutive points
  * coincide, or no path leads from one to the next (add points between them). Antipodal points of a sphere give a half
- * circle, always the same one. Two points give a geodesic, also with E2. If rounds run out or rounding stops progress,
+ * circle, always the same one. Two points give a geodesic, also with E2. On a mesh there is a way between any two
+ * points of one connected part. If rounds run out or rounding stops progress,
  * the curve is still available, and the view says so. Cost: 1 us a node and round on a mesh, and 3 to 8 rounds. */
 FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline,
                                   FlgJob* out_job);
@@ -354,13 +359,12 @@ FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc,
 /* Why the optimization ended. A curve is available in each case. */
 typedef enum FlgSplineEnding {
     FLG_SPLINE_ENDING_RUNNING = 0,   /* still running: the view shows one round's result */
-    FLG_SPLINE_ENDING_CONVERGED = 1, /* the residual is at most the tolerance */
+    FLG_SPLINE_ENDING_CONVERGED = 1, /* the residual is at most the tolerance, at all nodes that are not held */
     FLG_SPLINE_ENDING_ROUNDING = 2,  /* as close as rounding allows: with thousands of nodes between points,
                                         differences cancel */
     FLG_SPLINE_ENDING_ROUNDS = 3,    /* max_rounds was reached */
-    FLG_SPLINE_ENDING_STALLED = 4,   /* no step lowers the energy: the surface is not smooth there (sharp creases,
-                                        rims), or obstacles block the way. The curve is the best found; see the
-                                        residual */
+    FLG_SPLINE_ENDING_STALLED = 4,   /* no step lowers the energy: more than a 16th of the nodes and 3 would be held, or
+                                        obstacles block the way. The curve is the best found; see the residual */
     FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnding;
 
@@ -376,10 +380,14 @@ typedef struct FlgSplineView {
     const float* normals;        /* 3 per node, unit: the surface's, outwards; null if it is not a surface in R^3,
                                     and while running */
     const uint32_t* point_nodes; /* one per given point: its node */
+    const uint32_t* held_nodes;  /* nodes that stay at an edge or a gap of the surface, ascending; the curve is optimized
+                                    as if they were given points. Null if there are none */
     const double* offsets;       /* one per given point, metres: its distance from the manifold */
     double largest_offset;       /* the largest of these, metres */
     uint32_t rounds;             /* of the optimization */
     uint32_t projections;        /* projections of all nodes onto the manifold */
+    uint32_t held_count;         /* number of held_nodes; 0 while running */
+    uint32_t reserved;
     double energy;               /* with all weights */
     double bending;              /* E2: exact for the spline of R^n through the nodes */
     double stretching;           /* E1 of the chain */

@@ -9,6 +9,7 @@
 
 #include "core/failure.h"
 #include "splines/manifolds/quadric_fit.h"
+#include "splines/manifolds/smoothed_samples.h"
 #include "surfaces/mesh/spatial_order.h"
 
 namespace flg {
@@ -103,7 +104,7 @@ struct Cloud {
         double reach = reaches[at];
         if (!(reach > 0) || normal.isZero()) return;
         const double spacing = reach * even_spacing / std::sqrt(per_point + 1.0);
-        QuadricFit quadric(place, normal.normalized(), spacing, false);
+        QuadricFit quadric(place, normal.normalized(), spacing, QuadricKind::near);
         for (uint32_t i = 0; i < per_point && own[i] != no_index; ++i) {
             const Vec3 other = load_vec3(places[own[i]].data()), other_normal = load_vec3(normals[own[i]].data());
             reach = std::min(reach, max_reach * reaches[own[i]]);
@@ -252,10 +253,10 @@ Task<void> place(Pace& pace, Cloud& cloud) {
 }  // namespace
 
 Task<SampledSurface> sample_cloud(Pace& pace, std::span<const Position> points, std::span<const Position> normals,
-                                  uint32_t neighbours) {
+                                  CloudOptions options) {
     const auto count = static_cast<uint32_t>(points.size());
     if (count < 4) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a surface needs 4 points, and there are %u", count);
-    Cloud cloud(points, normals, neighbours, pace.memory());
+    Cloud cloud(points, normals, options.neighbours, pace.memory());
     co_await place(pace, cloud);
     const Position* const places = cloud.places.data();
     const auto ball = [places](uint32_t i, double* centre, double& radius) {
@@ -274,6 +275,8 @@ Task<SampledSurface> sample_cloud(Pace& pace, std::span<const Position> points, 
     cloud.normals = {};
     co_await pace;
     OrientedSamples surface = co_await oriented_samples(pace, samples);
+    if (options.smoothing_scale > 0)
+        surface = co_await smoothed_samples(pace, std::move(surface), options.smoothing_scale);
     SampledSurface out{.surface = std::move(surface), .deviation = {}, .parts = parts};
     const uint32_t measured = std::min(count, measured_points);
     co_await each(pace, measured, Cost::microseconds, [&](uint32_t i) {

@@ -13,12 +13,16 @@
 
 namespace flg {
 
-// `points`: metres, finite. `normals`: outwards, of any length; may be empty. Both outlive the task. `neighbours`: of
-// each point, 6 to 32: more of them smooth more; a sample reaches as far as the last of them.
+struct CloudOptions {
+    uint32_t neighbours = 16;  // of each point, 6 to 32: more smooth more; a sample reaches as far as the last of them
+    double smoothing_scale = 0;  // metres, that smoothed_samples() see it through; 0: none
+};
+
+// `points`: metres, finite. `normals`: outwards, of any length; may be empty. Both outlive the task.
 // A Failure says so if there are fewer than 4 points, or fewer than 4 that have a sample: points in whose neighbourhood
 // there is no plane have none. The deviation is that of points of the cloud: their noise. About 6 us and 300 bytes a
 // point.
 Task<SampledSurface> sample_cloud(Pace& pace, std::span<const Position> points, std::span<const Position> normals,
-                                  uint32_t neighbours);
+                                  CloudOptions options);
 
 }  // namespace flg

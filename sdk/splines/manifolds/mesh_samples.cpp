@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "splines/manifolds/quadric_fit.h"
+#include "splines/manifolds/smoothed_samples.h"
 #include "surfaces/mesh/mesh_measures.h"
 
 namespace flg {
@@ -389,7 +390,7 @@ Task<void> fit_sectors(Pace& pace, Sampling& s) {
             continue;
         }
         Corner corner = sector.first;
-        QuadricFit fit(s.mesh.position(s.mesh.vertex_at(corner)), normal, sector.mean, true);
+        QuadricFit fit(s.mesh.position(s.mesh.vertex_at(corner)), normal, sector.mean, QuadricKind::through);
         for (uint32_t done = 1;; ++done) {
             s.add_neighbour(next_corner(corner), fit);
             if (slice.is_over()) co_await pace;
@@ -489,7 +490,7 @@ Task<void> add_vertices(Pace& pace, const Sampling& s, GrowingBuffer<OrientedSam
 
 }  // namespace
 
-Task<SampledSurface> sample_mesh(Pace& pace, const Mesh& mesh) {
+Task<SampledSurface> sample_mesh(Pace& pace, const Mesh& mesh, double smoothing_scale) {
     const uint32_t triangles = mesh.triangle_count();
     MeshSectors sectors(mesh, pace.memory());
     co_await find_sectors(pace, sectors);
@@ -515,6 +516,7 @@ Task<SampledSurface> sample_mesh(Pace& pace, const Mesh& mesh) {
     sectors.sector_of = {};
     co_await pace;
     OrientedSamples surface = co_await oriented_samples(pace, samples);
+    if (smoothing_scale > 0) surface = co_await smoothed_samples(pace, std::move(surface), smoothing_scale);
     SampledSurface out{.surface = std::move(surface), .deviation = {}, .extras = extras};
     const uint32_t stride = (triangles + measured_triangles - 1) / measured_triangles;
     co_await each(pace, (triangles + stride - 1) / stride, Cost::microseconds, [&](uint32_t i) {

@@ -10,7 +10,7 @@
 namespace flg {
 
 // The mesh, with one triangle at least, does not change meanwhile. A Failure says if there are not samples enough.
-// About 2 us a vertex.
-Task<SampledSurface> sample_mesh(Pace& pace, const Mesh& mesh);
+// `smoothing_scale`: metres, that smoothed_samples() see it through, or 0. About 2 us a vertex.
+Task<SampledSurface> sample_mesh(Pace& pace, const Mesh& mesh, double smoothing_scale = 0);
 
 }  // namespace flg

@@ -79,7 +79,7 @@ OrientedSamples::OrientedSamples(Buffer<OrientedSample> samples, PointTree tree,
     : Hypersurface(3, sizeof(Nearby) / sizeof(double), size, size),
       samples_(std::move(samples)),
       tree_(std::move(tree)),
-      slack_(slack_share * mean_radius) {
+      mean_radius_(mean_radius) {
     static_assert(sizeof(Nearby) % sizeof(double) == 0);
 }
 
@@ -87,7 +87,7 @@ OrientedSamples::OrientedSamples(Buffer<OrientedSample> samples, PointTree tree,
 uint32_t OrientedSamples::gather(const double* x, double* hint, uint32_t* list) const {
     Nearby nearby;
     std::memcpy(&nearby, hint, offsetof(Nearby, samples));
-    const double slack = nearby.next_slack > 0 ? nearby.next_slack : slack_;
+    const double slack = nearby.next_slack > 0 ? nearby.next_slack : slack_share * mean_radius_;
     const auto collect = [&](double reach_beyond) {
         uint32_t count = 0;
         tree_.around(x, reach_beyond, [&](uint32_t first, uint32_t end) {

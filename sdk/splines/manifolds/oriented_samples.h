@@ -46,6 +46,13 @@ public:
     // reaches.
     bool distance_estimate(const Vec3& place, double* distance) const;
 
+    // Calls visit(first, end) with ranges of samples, among them all that are not farther from the place.
+    template <class Visit>
+    void around(const Vec3& place, double distance, Visit&& visit) const {
+        tree_.around(place.data(), distance, visit);
+    }
+    double mean_radius() const { return mean_radius_; }
+
     uint32_t sample_count() const { return tree_.size(); }
     const OrientedSample& sample(uint32_t i) const { return samples_[i]; }
     // The one whose position is nearest; of equally near ones, any, but always the same.
@@ -65,7 +72,7 @@ private:
 
     Buffer<OrientedSample> samples_;
     PointTree tree_;
-    double slack_;  // metres, with which to look for samples at first
+    double mean_radius_;
 };
 
 // Sorts samples, at least 4 (or a Failure says so), and makes their tree. They are given back meanwhile. Most of those

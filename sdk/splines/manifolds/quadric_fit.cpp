@@ -19,13 +19,19 @@ constexpr double min_cosine = 0.5, max_slope = 0.35, max_unexplained = 0.25;
 // Of the spacing, squared: heights below are noise anyway.
 constexpr double flat_height = 1e-4;
 
+// Of neighbours of a smooth fit; `square`: how far they are, in spacings.
+double smooth_weight(double square) {
+    const double closeness = std::max(0.0, 1 - square / (quadric_reach * quadric_reach));
+    return closeness * closeness;
+}
+
 }  // namespace
 
-QuadricFit::QuadricFit(const Vec3& place, const Vec3& normal, double spacing, bool through)
-    : place_(place), normal_(normal), per_spacing_(1 / spacing), through_(through) {
+QuadricFit::QuadricFit(const Vec3& place, const Vec3& normal, double spacing, QuadricKind kind)
+    : place_(place), normal_(normal), per_spacing_(1 / spacing), kind_(kind) {
     u_ = normal.unitOrthogonal();
     v_ = normal.cross(u_);
-    add_row({1, 0, 0, 0, 0, 0}, 0, through ? through_weight : 1);
+    add_row({1, 0, 0, 0, 0, 0}, 0, kind == QuadricKind::through ? through_weight : 1);
     add_row({0, 1, 0, 0, 0, 0}, 0, own_normal_weight);
     add_row({0, 0, 1, 0, 0, 0}, 0, own_normal_weight);
     for (size_t i = 0; i < unknowns; ++i) matrix_[i * unknowns + i] += ridge;
@@ -51,7 +57,7 @@ void QuadricFit::add_point(const Vec3& point) {
     const double u = p[0], v = p[1], square = p.squaredNorm();
     if (!(square > 0)) return;
     // Far ones count less: what is left out grows with the third power.
-    const double weight = 1 / (square * (0.25 + square));
+    const double weight = kind_ == QuadricKind::smooth ? smooth_weight(square) : 1 / (square * (0.25 + square));
     add_row({1, u, v, 0.5 * u * u, u * v, 0.5 * v * v}, p[2], weight);
     weights_ += weight;
 }
@@ -59,11 +65,12 @@ void QuadricFit::add_point(const Vec3& point) {
 void QuadricFit::add_normal(const Vec3& point, const Vec3& normal) {
     const double up = normal_.dot(normal);
     if (!(up > min_cosine)) {
-        creased_ = true;
+        creased_ = kind_ != QuadricKind::smooth;
         return;
     }
     const Vec3 p = local(point);
-    const double weight = normal_weight / (0.25 + p.squaredNorm());
+    const double square = p.squaredNorm();
+    const double weight = normal_weight * (kind_ == QuadricKind::smooth ? smooth_weight(square) : 1 / (0.25 + square));
     add_row({0, 1, 0, p[0], p[1], 0}, -u_.dot(normal) / up, weight);
     add_row({0, 0, 1, 0, p[0], p[1]}, -v_.dot(normal) / up, weight);
 }
@@ -97,8 +104,8 @@ BentNormal QuadricFit::solve() const {
     double unexplained = squares_;
     for (size_t i = 0; i < unknowns; ++i) unexplained -= x[i] * right_[i];
     const bool bad = unexplained > max_unexplained * squares_ + flat_height * weights_;
-    if (bad && through_) return result;
-    result.height = through_ ? 0 : x[0] / per_spacing_;
+    if (bad && kind_ == QuadricKind::through) return result;
+    result.height = kind_ == QuadricKind::through ? 0 : x[0] / per_spacing_;
     result.normal = (normal_ - x[1] * u_ - x[2] * v_).normalized();
     if (bad) return result;
     // Curvatures of a graph over its tangent plane; f counts the other way, so that outside is above.

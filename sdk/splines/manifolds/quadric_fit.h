@@ -18,11 +18,17 @@ struct BentNormal {
     double curvature = 0;          // the largest absolute one that was found, 1 / metres, also where `bend` is none
 };
 
+enum class QuadricKind {
+    through,  // the surface passes through the place itself
+    near,     // near ones count most
+    smooth,   // those within `quadric_reach` spacings count much alike, and normals across creases not at all
+};
+constexpr double quadric_reach = 1.6;
+
 class QuadricFit {
 public:
-    // Around `place`; `spacing`, > 0: how far the neighbours are, about. `through`: the surface passes through the
-    // place itself.
-    QuadricFit(const Vec3& place, const Vec3& normal, double spacing, bool through);
+    // Around `place`; `spacing`, > 0: how far the neighbours are, about.
+    QuadricFit(const Vec3& place, const Vec3& normal, double spacing, QuadricKind kind);
 
     // Neighbours: 30 ns each.
     void add_point(const Vec3& point);
@@ -43,7 +49,7 @@ private:
     std::array<double, unknowns * unknowns> matrix_{};  // lower part
     Row right_{};
     double squares_ = 0, weights_ = 0;  // sums: of the equations' right sides, of the points' weights
-    bool through_;
+    QuadricKind kind_;
     bool creased_ = false;
 };
 

@@ -147,7 +147,11 @@ constexpr double tension_fall = 0.25;  // a round
 constexpr double heavy_change = 0.02;  // of a segment's share of the length, until parameters are measured again
 constexpr uint32_t max_reparametrizations = 6;
 constexpr double settled_residual = 0.05;  // when lengths are looked at for the first time
-constexpr double min_share = 0.1;          // of concave curvature, before there is none
+// After so many steps that lead nowhere the surface is probed by one of 2^-10; what is off by more than this share of it
+// has jumped.
+constexpr uint32_t probed_shrinks = 3;
+constexpr double probe_step = 0x1p-10, jump = 0.5;
+constexpr double min_share = 0.1;  // of concave curvature, before there is none
 constexpr double epsilon = 0x1p-52;
 // About 4 us on slow manifolds, and 2.
 constexpr uint32_t projection_work = 3, frame_work = 2;
@@ -221,9 +225,11 @@ SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
       form_(size_t{nodes_} * k_ * k_, memory),
       shift_(size_t{nodes_} * k_, memory),
       knot_of_(nodes_, memory),
+      is_held_(nodes_, memory),
       lengths_(problem.knots.size(), memory),
       spans_(problem.knots.size(), memory),
       system_(nodes_, block_size(problem), problem.closed, memory) {
+    std::fill(is_held_.begin(), is_held_.end(), uint8_t{0});
     now_.points = std::move(problem.points);
     remembers_ = hint_size_ > 0 && problem.hints.size() == size_t{nodes_} * hint_size_;
     now_.hints = remembers_ ? std::move(problem.hints) : Buffer<double>(size_t{nodes_} * hint_size_, memory);
@@ -259,14 +265,48 @@ Task<bool> SplineOptimizer::next_round(Pace& pace, SplineOptimizer& s) {
         co_return false;
     }
     s.step_ = 1;
-    for (uint32_t shrinks = 0;; s.step_ *= 0.5) {
+    for (uint32_t shrinks = 1;; ++shrinks, s.step_ *= 0.5) {
         const bool leads_down = co_await try_step(pace, s);
         if (leads_down) break;
-        if (++shrinks <= max_shrinks) continue;
+        if (shrinks == probed_shrinks && s.problem_.holds_nodes) {
+            const uint32_t held = s.report_.held;
+            co_await hold_jumping(pace, s);
+            if (s.report_.held > held) {
+                if (s.report_.held > s.max_held()) s.report_.ending = SplineEnding::stalled;
+                co_await measure(pace, s, s.now_);
+                co_return s.report_.ending == SplineEnding::running;
+            }
+        }
+        if (shrinks <= max_shrinks) continue;
         s.report_.ending = -s.slope_ < s.noise() ? SplineEnding::rounding : SplineEnding::stalled;
         co_return false;
     }
     co_return s.accept();
+}
+
+// Holds the nodes that a hair's step puts elsewhere than a hair away, or nowhere: there the surface has an edge or a
+// gap, and no step of the whole curve, however short, would lead down.
+Task<void> SplineOptimizer::hold_jumping(Pace& pace, SplineOptimizer& s) {
+    const double step = std::exchange(s.step_, probe_step), rounding = 1e3 * epsilon * s.problem_.manifold->size();
+    co_await each_by_work(pace, s.nodes_, Cost::microseconds, [&s, rounding](uint32_t node) {
+        if (!s.is_free(node)) return 1u;
+        s.projects_ = true;
+        s.move(node);
+        double off = 0, along = 0;
+        for (uint32_t c = 0; c < s.n_; ++c) {
+            double wanted = 0;
+            for (uint32_t a = 0; a < s.k_; ++a)
+                wanted += s.step_ * s.shift_[size_t{node} * s.k_ + a] * s.basis_of(node)[a * s.n_ + c];
+            const double error = s.at(s.trial_, node)[c] - s.at(s.now_, node)[c] - wanted;
+            off += error * error;
+            along += wanted * wanted;
+        }
+        if (s.projects_ && std::sqrt(off) <= jump * std::sqrt(along) + rounding) return projection_work;
+        s.is_held_[node] = 1;
+        ++s.report_.held;
+        return projection_work;
+    });
+    s.step_ = step;
 }
 
 Task<void> SplineOptimizer::begin(Pace& pace, SplineOptimizer& s) {

@@ -12,6 +12,9 @@
 //   dozens. Where that is not positive, which the signs of the pivots tell, less is taken of each node's negative part
 //   (the paper's Gramian has nothing of either, and goes too far where surfaces bend away).
 //
+// - Where the surface has an edge or a gap no step of the whole curve may lead down, however short. Nodes that jump there
+//   are held, as if they were given, and the others go on.
+//
 // Parameters are lengths of the first curve. They are measured again after the paper's heavy change: when one is off by
 // more than a fiftieth of its share.
 //
@@ -111,6 +114,7 @@ struct SplineProblem {
     double first_tension = 0;                      // homotopy: tension falls from here to `tension`, by 4 a round
     double tolerance = 1e-6;                       // of the residual
     uint32_t max_rounds = 200;
+    bool holds_nodes = false;  // where the surface has edges or gaps; else it ends there, stalled
 };
 
 enum class SplineEnding : uint32_t { running, converged, rounding, rounds, stalled, failed };
@@ -122,6 +126,7 @@ struct SplineReport {
     uint32_t rounds = 0;
     uint32_t projections = 0;            // of whole curves
     uint32_t failed_node = 0;            // that could not be projected
+    uint32_t held = 0;                   // nodes that stay where the surface has an edge or a gap
     double energy = 0;                   // with all weights
     double bending = 0, stretching = 0;  // E2 and E1
     // Tangential part of the fourth derivative (less w times the second, where there is tension): its root mean square
@@ -154,6 +159,8 @@ public:
     double step_after(uint32_t node) const { return moments_.step_after(node); }
     // The manifold's basis at a node, k x n numbers, of the last round that was finished.
     const double* basis(uint32_t node) const { return basis_of(node); }
+    // Whether the node stays where the surface has an edge or a gap.
+    bool is_held(uint32_t node) const { return is_held_[node] != 0; }
 
 private:
     struct Curve {
@@ -170,7 +177,9 @@ private:
     double* hint_of(Curve& curve, uint32_t node) { return curve.hints.data() + size_t{node} * hint_size_; }
     const double* basis_of(uint32_t node) const { return &basis_[size_t{node} * k_ * n_]; }
     bool bends() const { return problem_.bending > 0; }
-    bool is_free(uint32_t node) const { return pull_ > 0 || knot_of_[node] == no_knot; }
+    bool is_free(uint32_t node) const { return !is_held(node) && (pull_ > 0 || knot_of_[node] == no_knot); }
+    // More are no exceptions.
+    uint32_t max_held() const { return nodes_ / 16 + 3; }
     uint32_t next(uint32_t node) const { return node + 1 == nodes_ ? 0 : node + 1; }
     uint32_t previous(uint32_t node) const { return node == 0 ? nodes_ - 1 : node - 1; }
     bool has_next(uint32_t node) const { return problem_.closed || node + 1 < nodes_; }
@@ -184,6 +193,7 @@ private:
     static Task<void> eliminate(Pace& pace, SplineOptimizer& s);
     static Task<void> substitute(Pace& pace, SplineOptimizer& s);
     static Task<bool> try_step(Pace& pace, SplineOptimizer& s);
+    static Task<void> hold_jumping(Pace& pace, SplineOptimizer& s);
     void assess();
     bool needs_parameters() const;
     bool is_over();
@@ -212,6 +222,7 @@ private:
     Buffer<double> moment_, gradient_;     // n a node; half the energy's
     Buffer<double> basis_, form_, shift_;  // k x n, k x k, k a node
     Buffer<uint32_t> knot_of_;             // by node: its knot, or no_knot
+    Buffer<uint8_t> is_held_;              // by node
     Buffer<double> lengths_, spans_;       // one a knot, of the segment that it begins: of the chain, and of parameters
     BlockTridiagonal system_;
 

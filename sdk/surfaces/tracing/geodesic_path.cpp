@@ -8,6 +8,7 @@
 #include "runtime/each.h"
 #include "surfaces/mesh/surface_place.h"
 #include "surfaces/tracing/integral_curves.h"
+#include "surfaces/tracing/triangle_strip.h"
 
 namespace flg {
 
@@ -357,12 +358,16 @@ public:
     }
 
     bool has_sleeve() const { return sleeve_->is_complete(); }
+    const SurfacePlace& from() const { return from_; }
     const SurfacePlace& to() const { return to_; }
 
     // The first sleeve, along the way down. It stays incomplete where that does not lead to the end.
     void begin_follow(const SurfaceCurves& way, IntegralCurveStop stop);
     bool goes_on_following() const { return way_ != nullptr; }
     uint32_t follow_point();
+    // Another first sleeve, triangle by triangle.
+    void begin_strip() { sleeve_->clear(); }
+    void take(uint32_t triangle) { sleeve_->enter(triangle); }
 
     void unfold() { funnel_.begin(*sleeve_, from_, to_); }
     bool unfold_gate(uint32_t& cost) { return funnel_.advance(cost); }
@@ -616,7 +621,7 @@ Task<GeodesicPath> add_geodesic_path(Pace& pace, const Mesh& mesh, SurfacePoint 
                                      std::span<const float> distances, const RegionSet& regions, SurfaceCurves& out) {
     PathSearch search(mesh, from, to, regions, out, pace.memory());
     Slice slice(Cost::tens_of_ns);
-    if (!search.has_sleeve()) {
+    if (!search.has_sleeve() && !distances.empty()) {
         std::array<uint32_t, 3> targets{};
         const IntegralCurveOptions options = descent_to(mesh, search.to(), targets);
         const std::span<const SurfacePoint> start(&from, 1);
@@ -626,6 +631,14 @@ Task<GeodesicPath> add_geodesic_path(Pace& pace, const Mesh& mesh, SurfacePoint 
         search.begin_follow(way, ends.front().stop);
         while (search.goes_on_following())
             if (slice.is_over(search.follow_point())) co_await pace;
+    }
+    if (!search.has_sleeve()) {
+        const std::pmr::vector<uint32_t> strip = co_await find_strip(pace, mesh, regions, search.from(), search.to());
+        search.begin_strip();
+        for (const uint32_t triangle : strip) {
+            search.take(triangle);
+            if (slice.is_over()) co_await pace;
+        }
     }
     if (!search.has_sleeve()) co_return GeodesicPath{};
     for (;;) {

@@ -34,8 +34,8 @@ namespace Filigree
         /// normals and curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The
         /// manifold's view gives the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets
         /// that face the same way blend where they are closer than an edge length. Tangents jump across edges sharper
-        /// than about 114 degrees, where curves may stall. The surface continues a little beyond open borders:
-        /// FlgObstacleKind.Border keeps curves from there. Cost: about 1 us a triangle.
+        /// than about 114 degrees, where nodes of curves are held (see FlgSplineView). The surface continues a little
+        /// beyond open borders: FlgObstacleKind.Border keeps curves from there. Cost: about 1 us a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromSurface(
@@ -145,8 +145,9 @@ namespace Filigree
         /// tangential part between the given points. Fails with FlgResult.ErrorInvalidArgument if a point cannot be
         /// projected, two consecutive points coincide, or no path leads from one to the next (add points between them).
         /// Antipodal points of a sphere give a half circle, always the same one. Two points give a geodesic, also with
-        /// E2. If rounds run out or rounding stops progress, the curve is still available, and the view says so. Cost:
-        /// 1 us a node and round on a mesh, and 3 to 8 rounds.
+        /// E2. On a mesh there is a way between any two points of one connected part. If rounds run out or rounding
+        /// stops progress, the curve is still available, and the view says so. Cost: 1 us a node and round on a mesh,
+        /// and 3 to 8 rounds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineCreate(

@@ -39,6 +39,11 @@ namespace Filigree
         public FlgJobOptions* job;
         /// <summary>kept by the manifold; later cuts do not change the manifold</summary>
         public FlgSurface surface;
+        /// <summary>
+        /// metres: the surface is seen through this scale; noise, relief and creases that are smaller are rounded off,
+        /// as by a road over rough ground. At most a quarter of the surface's size. Default 0: as the mesh is
+        /// </summary>
+        public double smoothing_scale;
     }
 
     public unsafe partial struct FlgManifoldFromPointsDesc
@@ -54,6 +59,8 @@ namespace Filigree
         /// <summary>points in each neighbourhood, 6 to 32: more smooth more. Default 16</summary>
         public uint neighbours;
         public uint reserved;
+        /// <summary>metres, see FlgManifoldFromSurfaceDesc. Default 0</summary>
+        public double smoothing_scale;
         /// <summary>metres: what points are relative to. Default 0</summary>
         public fixed double origin[3];
     }
@@ -381,6 +388,11 @@ namespace Filigree
         public float* normals;
         /// <summary>one per given point: its node</summary>
         public uint* point_nodes;
+        /// <summary>
+        /// nodes that stay at an edge or a gap of the surface, ascending; the curve is optimized as if they were given
+        /// points. Null if there are none
+        /// </summary>
+        public uint* held_nodes;
         /// <summary>one per given point, metres: its distance from the manifold</summary>
         public double* offsets;
         /// <summary>the largest of these, metres</summary>
@@ -389,6 +401,9 @@ namespace Filigree
         public uint rounds;
         /// <summary>projections of all nodes onto the manifold</summary>
         public uint projections;
+        /// <summary>number of held_nodes; 0 while running</summary>
+        public uint held_count;
+        public uint reserved;
         /// <summary>with all weights</summary>
         public double energy;
         /// <summary>E2: exact for the spline of R^n through the nodes</summary>

@@ -87,7 +87,9 @@ namespace Filigree
     {
         /// <summary>FLG_SPLINE_ENDING_RUNNING: still running: the view shows one round's result</summary>
         Running = 0,
-        /// <summary>FLG_SPLINE_ENDING_CONVERGED: the residual is at most the tolerance</summary>
+        /// <summary>
+        /// FLG_SPLINE_ENDING_CONVERGED: the residual is at most the tolerance, at all nodes that are not held
+        /// </summary>
         Converged = 1,
         /// <summary>
         /// FLG_SPLINE_ENDING_ROUNDING: as close as rounding allows: with thousands of nodes between points, differences
@@ -97,8 +99,8 @@ namespace Filigree
         /// <summary>FLG_SPLINE_ENDING_ROUNDS: max_rounds was reached</summary>
         Rounds = 3,
         /// <summary>
-        /// FLG_SPLINE_ENDING_STALLED: no step lowers the energy: the surface is not smooth there (sharp creases, rims),
-        /// or obstacles block the way. The curve is the best found; see the residual
+        /// FLG_SPLINE_ENDING_STALLED: no step lowers the energy: more than a 16th of the nodes and 3 would be held, or
+        /// obstacles block the way. The curve is the best found; see the residual
         /// </summary>
         Stalled = 4,
     }
