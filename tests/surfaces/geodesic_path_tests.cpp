@@ -326,7 +326,9 @@ TEST(GeodesicPath, IsFoundWhateverTheFieldSays) {
                 expect_locally_shortest(mesh, curves, 0);
                 EXPECT_NEAR(length_of(mesh, curves, 0), path.length, 1e-6 * (1 + path.length));
                 const Vec3 straight = position_of(mesh, from) - position_of(mesh, to);
-                if (&mesh == meshes) EXPECT_NEAR(path.length, straight.norm(), 2e-6);
+                EXPECT_GE(path.length, straight.norm() - 2e-6);
+                if (&mesh != meshes) continue;
+                EXPECT_NEAR(path.length, straight.norm(), 2e-6);
             }
         }
     }

@@ -65,8 +65,8 @@ typedef struct FlgManifoldFromSurfaceDesc {
     uint32_t reserved;
     const FlgJobOptions* job;
     FlgSurface surface; /* kept by the manifold; later cuts do not change the manifold */
-    double smoothing_scale; /* metres: the surface is seen through this scale; noise, relief and creases that are smaller
-                               are rounded off, as by a road over rough ground. At most a quarter of the surface's size.
+    double smoothing_scale; /* metres: the surface is seen through this scale; smaller noise, relief and creases are
+                               rounded off, as by a road over rough ground. At most a quarter of the surface's size.
                                Default 0: as the mesh is */
 } FlgManifoldFromSurfaceDesc;
 
@@ -76,7 +76,8 @@ FLG_API FlgResult flgManifoldFromSurfaceDescInit(FlgManifoldFromSurfaceDesc* des
  * curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The manifold's view gives
  * the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets that face the same way blend
  * where they are closer than an edge length. Tangents jump across edges sharper than about 114 degrees, where nodes of
- * curves are held (see FlgSplineView). The surface continues a little beyond open borders: FLG_OBSTACLE_KIND_BORDER keeps curves from there.
+ * curves are held (see FlgSplineView). The surface continues a little beyond open borders: FLG_OBSTACLE_KIND_BORDER
+ * keeps curves from there.
  * Cost: about 1 us a triangle. */
 FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFromSurfaceDesc* desc,
                                                FlgManifold* out_manifold, FlgJob* out_job);
@@ -380,8 +381,8 @@ typedef struct FlgSplineView {
     const float* normals;        /* 3 per node, unit: the surface's, outwards; null if it is not a surface in R^3,
                                     and while running */
     const uint32_t* point_nodes; /* one per given point: its node */
-    const uint32_t* held_nodes;  /* nodes that stay at an edge or a gap of the surface, ascending; the curve is optimized
-                                    as if they were given points. Null if there are none */
+    const uint32_t* held_nodes;  /* nodes that stay at an edge or a gap of the surface, ascending; the curve is
+                                    optimized as if they were given points. Null if there are none */
     const double* offsets;       /* one per given point, metres: its distance from the manifold */
     double largest_offset;       /* the largest of these, metres */
     uint32_t rounds;             /* of the optimization */

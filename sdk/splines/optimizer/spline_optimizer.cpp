@@ -147,8 +147,8 @@ constexpr double tension_fall = 0.25;  // a round
 constexpr double heavy_change = 0.02;  // of a segment's share of the length, until parameters are measured again
 constexpr uint32_t max_reparametrizations = 6;
 constexpr double settled_residual = 0.05;  // when lengths are looked at for the first time
-// After so many steps that lead nowhere the surface is probed by one of 2^-10; what is off by more than this share of it
-// has jumped.
+// After so many steps that lead nowhere the surface is probed by one of 2^-10: what is off by more than this share of
+// it has jumped.
 constexpr uint32_t probed_shrinks = 3;
 constexpr double probe_step = 0x1p-10, jump = 0.5;
 constexpr double min_share = 0.1;  // of concave curvature, before there is none

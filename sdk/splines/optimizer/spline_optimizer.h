@@ -12,8 +12,8 @@
 //   dozens. Where that is not positive, which the signs of the pivots tell, less is taken of each node's negative part
 //   (the paper's Gramian has nothing of either, and goes too far where surfaces bend away).
 //
-// - Where the surface has an edge or a gap no step of the whole curve may lead down, however short. Nodes that jump there
-//   are held, as if they were given, and the others go on.
+// - Where the surface has an edge or a gap no step of the whole curve may lead down, however short. Nodes that jump
+//   there are held, as if they were given, and the others go on.
 //
 // Parameters are lengths of the first curve. They are measured again after the paper's heavy change: when one is off by
 // more than a fiftieth of its share.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Geodesic paths between points of a mesh: sec. 4.2 (Line tracing, Operators) of Nazzaro, Puppo, Pellacini: geoTangle
 // (2021), and straightened as the paper's are not. The way down a field of distances gives a first sleeve of triangles;
-// where it ends elsewhere, or there is no field, the shortest strip over centroids does. The shortest path in the sleeve
-// is found in the unfolded plane. Where that turns at a vertex the sleeve changes to the vertex's other side as long as
+// where it ends elsewhere, or there is no field, the shortest strip over centroids does. The sleeve's shortest path is
+// found in the unfolded plane. Where that turns at a vertex the sleeve changes to the vertex's other side as long as
 // that is shorter (Xin, Wang: Efficiently determining a locally exact shortest path on polyhedral surfaces, 2007).
 //
 // Invariants of the result
@@ -37,9 +37,9 @@ struct GeodesicPath {
 };
 
 // `distances`: one a vertex, metres, from `to`: as a geodesic solver gives them, in the whole neighbourhood of the
-// path; or empty. Both points are moved by less than 1e-6 of their triangle onto an edge or a vertex that is so near. Keeps to
-// the regions. Appends the path's points to the curve that `out` ends with, from where that has come to, and leaves it
-// to end_polyline() to end it; a path from a point to itself has none.
+// path; or empty. Both points are moved by less than 1e-6 of their triangle onto an edge or a vertex that is so near.
+// Keeps to the regions. Appends the path's points to the curve that `out` ends with, from where that has come to, and
+// leaves it to end_polyline() to end it; a path from a point to itself has none.
 Task<GeodesicPath> add_geodesic_path(Pace& pace, const Mesh& mesh, SurfacePoint from, SurfacePoint to,
                                      std::span<const float> distances, const RegionSet& regions, SurfaceCurves& out);
 

@@ -40,8 +40,8 @@ namespace Filigree
         /// <summary>kept by the manifold; later cuts do not change the manifold</summary>
         public FlgSurface surface;
         /// <summary>
-        /// metres: the surface is seen through this scale; noise, relief and creases that are smaller are rounded off,
-        /// as by a road over rough ground. At most a quarter of the surface's size. Default 0: as the mesh is
+        /// metres: the surface is seen through this scale; smaller noise, relief and creases are rounded off, as by a
+        /// road over rough ground. At most a quarter of the surface's size. Default 0: as the mesh is
         /// </summary>
         public double smoothing_scale;
     }
