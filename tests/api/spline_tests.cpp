@@ -238,7 +238,7 @@ TEST(SplineApi, RoughMeshesHaveCurvesToo) {
     uint32_t state = 1;
     for (float& c : mesh.positions) {
         state = state * 1664525u + 1013904223u;
-        c += 0.03f * (static_cast<float>(state >> 8) / 16777216.0f - 0.5f);
+        c += 0.06f * (static_cast<float>(state >> 8) / 16777216.0f - 0.5f);
     }
     const FlgManifold rough = mesh_manifold(host, mesh);
     uint32_t held = 0;
@@ -256,7 +256,9 @@ TEST(SplineApi, RoughMeshesHaveCurvesToo) {
         held += made.view.held_count;
         for (uint32_t k = 0; k < made.view.held_count; ++k) {
             EXPECT_LT(made.view.held_nodes[k], made.view.node_count);
-            if (k > 0) EXPECT_GT(made.view.held_nodes[k], made.view.held_nodes[k - 1]);
+            if (k > 0) {
+                EXPECT_GT(made.view.held_nodes[k], made.view.held_nodes[k - 1]);
+            }
             for (uint32_t p = 0; p < 7; ++p) EXPECT_NE(made.view.held_nodes[k], made.view.point_nodes[p]);
         }
     }

@@ -310,6 +310,31 @@ TEST_F(SplineCommand, SameBytesWhateverRunsIt) {
     }
 }
 
+// Rough ground: through a scale fewer rounds are needed, and no point is held.
+TEST_F(SplineCommand, SeesRoughMeshesThroughAScale) {
+    points({{-1.5, -1, 0}, {-0.5, 1, 0}, {0.4, -0.8, 0}, {1.2, 0.9, 0}, {1.6, -1.2, 0}});
+    TestMesh rough;
+    uint32_t state = 1;
+    rough.add_grid(80, [&](double s, double t) {
+        state = state * 1664525u + 1013904223u;
+        return Point{4 * s - 2, 4 * t - 2, 0.04 * state / 4294967296.0};
+    });
+    folder.write("rough.off", rough.off());
+    Strings arguments = {"spline", "rough.off", "points.xyz", "-o", "out.xyz", "--report", "report.json"};
+    done(arguments);
+    const double rounds = report().at("quality").at("iterations");
+    arguments.insert(arguments.end(), {"--smoothing-scale", "0.2", "--quiet"});
+    done(arguments);
+    EXPECT_LT(report().at("quality").at("iterations"), 0.7 * rounds);
+    EXPECT_EQ(report().at("parameters").at("smoothing_scale"), 0.2);
+    EXPECT_FALSE(report().at("counts").contains("held_points"));
+    expect_refused({"spline", "rough.off", "points.xyz", "-o", "no.xyz", "--smoothing-scale", "1e9"}, 1,
+                   {"desc.smoothing_scale is 1e+09 m, and the surface has a size of"});
+    expect_refused({"spline", "sphere:1", "points.xyz", "-o", "no.xyz", "--smoothing-scale", "1"}, 2,
+                   {"--smoothing-scale: SURFACE must be a mesh or a cloud, not sphere:1"});
+    EXPECT_FALSE(folder.has("no.xyz"));
+}
+
 TEST_F(SplineCommand, WritesWhatOtherCommandsRead) {
     points(around_torus());
     for (const char* name : {"out.obj", "out.glb", "out.xyz"}) {

@@ -23,4 +23,10 @@ MeshArrays bumpy_torus(uint32_t triangle_count);
 // The torus of radii 1 and 0.4, with waves of this height (metres), in rows.
 MeshArrays wavy_torus(uint32_t triangle_count, double height);
 
+// A square metre of ground: heights of 15 cm at the largest, halved with each octave down to single cells.
+MeshArrays rough_ground(uint32_t triangle_count);
+
+// Moves each coordinate by up to half of `share` of the mean edge, to either side.
+void add_noise(MeshArrays& mesh, double share);
+
 }  // namespace flg::bench

@@ -100,6 +100,7 @@ double SplineBench::make_manifold() {
     if (manifold_.id != 0) check(flgManifoldRelease(host_.context(), manifold_));
     FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
     desc.surface = surface_;
+    desc.smoothing_scale = smoothing_scale_;
     return time_ms([&] {
         check(flgManifoldCreateFromSurface(host_.context(), &desc, &manifold_, nullptr));
         host_.run();
@@ -146,6 +147,7 @@ std::vector<Row> run_splines() {
     append(spline_rows(bumpy_torus(kTriangles), "torus with bumps of 5 cm"));
     append(spline_motions());
     append(spline_growth());
+    append(spline_strokes());
 #if defined(FLG_WITH_REFERENCE)
     append(spline_methods());
 #endif

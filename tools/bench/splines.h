@@ -26,6 +26,8 @@ public:
     // Makes the manifold anew, which then remembers nothing; processor ms.
     double make_manifold();
     FlgSplineDesc desc(const std::vector<double>& points) const;
+    // The manifold's surface is seen through this scale from the next one on, metres.
+    void see_through(double smoothing_scale) { smoothing_scale_ = smoothing_scale; }
     // Asks for it, runs it to its end, releases it unless it is to be kept; processor ms.
     double spline_ms(const FlgSplineDesc& desc, FlgSplineView& out_view, FlgSpline* keep = nullptr);
 
@@ -33,6 +35,7 @@ private:
     Host host_;
     FlgSurface surface_ = {};
     FlgManifold manifold_ = {};
+    double smoothing_scale_ = 0;
 };
 
 // "5 rounds, residual 2e-05".
@@ -45,6 +48,7 @@ uint64_t processor_ns(void* unused);
 std::vector<Row> spline_dragging(const MeshArrays& mesh, const std::string& name);
 std::vector<Row> spline_motions();
 std::vector<Row> spline_growth();
+std::vector<Row> spline_strokes();
 #if defined(FLG_WITH_REFERENCE)
 std::vector<Row> spline_methods();
 #endif

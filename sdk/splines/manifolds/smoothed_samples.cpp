@@ -16,10 +16,10 @@ constexpr double radius_share = 2;
 // Likewise of meshes' own samples, over how far they are apart.
 constexpr double own_radius_share = 1.6;
 // The cosine of the angle from which on samples count as those of another side.
-constexpr double same_side = 0.3;
-constexpr double max_bent = 0.7;         // bends over the spacing
-constexpr double max_scale = 0.25;       // of the size
-constexpr double min_radius = 1.0 / 64;  // of the mean one: where the scales begin
+constexpr double same_side = -0.3;
+constexpr double max_bent = 0.7;     // bends over the spacing
+constexpr double max_scale = 0.25;   // of the size
+constexpr double min_radius = 0.25;  // of the mean one: where the scales begin
 
 Vec3 place_of(const OrientedSample& sample) {
     return Vec3(sample.position.data());
@@ -45,11 +45,12 @@ uint32_t for_near(const OrientedSamples& surface, const OrientedSample& at, doub
     return looked;
 }
 
-OrientedSample fit(const OrientedSamples& surface, const OrientedSample& at, double scale) {
+// Returns how many samples it looked at.
+uint32_t fit(const OrientedSamples& surface, const OrientedSample& at, double scale, OrientedSample& out) {
     const double spacing = std::max(scale, at.radius / own_radius_share), reach = quadric_reach * spacing;
     const Vec3 place = place_of(at);
     Vec3 normal = Vec3::Zero();
-    for_near(surface, at, reach, [&](uint32_t i) {
+    const uint32_t looked = for_near(surface, at, reach, [&](uint32_t i) {
         const OrientedSample& other = surface.sample(i);
         const double closeness = 1 - (place_of(other) - place).squaredNorm() / (reach * reach);
         normal += closeness * closeness * normal_of(other);
@@ -68,7 +69,8 @@ OrientedSample fit(const OrientedSamples& surface, const OrientedSample& at, dou
     const Vec3 on = place + std::clamp(bent.height, -spacing, spacing) * normal;
     const Vec3& n = bent.normal;
     const double radius = std::max(radius_share * scale, at.radius);
-    return {{on.x(), on.y(), on.z()}, {n.x(), n.y(), n.z()}, bent.bend, radius};
+    out = {{on.x(), on.y(), on.z()}, {n.x(), n.y(), n.z()}, bent.bend, radius};
+    return looked;
 }
 
 struct Kept {
@@ -97,9 +99,10 @@ Task<std::pmr::vector<Kept>> thin_out(Pace& pace, const OrientedSamples& surface
 Task<OrientedSamples> coarser_samples(Pace& pace, const OrientedSamples& surface, double scale) {
     const std::pmr::vector<Kept> kept = co_await thin_out(pace, surface, scale);
     GrowingBuffer<OrientedSample> samples(kept.size(), pace.memory());
-    co_await each(pace, kept.size(), Cost::microseconds, [&](uint32_t k) {
+    co_await each_by_work(pace, kept.size(), Cost::tens_of_ns, [&](uint32_t k) {
         const OrientedSample& own = surface.sample(kept[k].sample);
-        samples[k] = kept[k].is_alone ? own : fit(surface, own, scale);
+        samples[k] = own;
+        return kept[k].is_alone ? 1 : 20 + fit(surface, own, scale, samples[k]);
     });
     OrientedSamples coarser = co_await oriented_samples(pace, samples);
     co_return coarser;

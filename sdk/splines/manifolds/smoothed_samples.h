@@ -10,7 +10,7 @@
 
 namespace flg {
 
-// `scale`: metres, above 0. Fails where it is more than a quarter of the surface's size. About 2 us a sample.
+// `scale`: metres, above 0. Fails where it is more than a quarter of the surface's size. About 5 us a sample.
 Task<OrientedSamples> smoothed_samples(Pace& pace, OrientedSamples surface, double scale);
 
 }  // namespace flg
