@@ -375,6 +375,14 @@ TEST(ManifoldRefusals, BadOnesAreNamed) {
     refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = FLG_MANIFOLD_SHAPE_FORMULA; }, "desc.name is null");
     refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = FLG_MANIFOLD_SHAPE_FORMULA, d.name = "no such"; },
                  "\"no such\"");
+    for (const double scale : {-1.0, double{NAN}, HUGE_VAL}) {
+        FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
+        desc.surface = mesh_surface(host, torus_mesh(40, 20, 2, 0.5));
+        desc.smoothing_scale = scale;
+        expect_failure(flgManifoldCreateFromSurface(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT,
+                       "desc.smoothing_scale is ");
+    }
+
     ASSERT_NE(flgFormulaGetName(0), nullptr);
     EXPECT_EQ(flgFormulaGetName(10000), nullptr);
 

@@ -231,16 +231,21 @@ TEST(SplineApi, WhereChordsLeadAstrayTheFirstCurveWalks) {
     }
 }
 
-// A ball as a scanner sees it: curves come to rest, and say which of their nodes are held at its edges.
-TEST(SplineApi, RoughMeshesHaveCurvesToo) {
-    const Host host(2);
+// A ring as a scanner sees it.
+MeshArrays scanned_torus(float noise) {
     MeshArrays mesh = torus_mesh(240, 96, 2, 0.8);
     uint32_t state = 1;
     for (float& c : mesh.positions) {
         state = state * 1664525u + 1013904223u;
-        c += 0.06f * (static_cast<float>(state >> 8) / 16777216.0f - 0.5f);
+        c += noise * (static_cast<float>(state >> 8) / 16777216.0f - 0.5f);
     }
-    const FlgManifold rough = mesh_manifold(host, mesh);
+    return mesh;
+}
+
+// Curves come to rest, and say which of their nodes are held at edges.
+TEST(SplineApi, RoughMeshesHaveCurvesToo) {
+    const Host host(2);
+    const FlgManifold rough = mesh_manifold(host, scanned_torus(0.045f));
     uint32_t held = 0;
     for (uint32_t stroke = 0; stroke < 16; ++stroke) {
         std::vector<double> points;
@@ -263,18 +268,30 @@ TEST(SplineApi, RoughMeshesHaveCurvesToo) {
         }
     }
     EXPECT_GT(held, 0u);
-    // Through a scale of some edges the noise is gone, and with it the edges.
+}
+
+// Through a scale of some edges the noise is gone, and with it the edges.
+TEST(SplineApi, ThroughAScaleRoughMeshesAreSmooth) {
+    const Host host(2);
+    const FlgSurface surface = mesh_surface(host, scanned_torus(0.03f));
     FlgManifoldFromSurfaceDesc smooth = flgManifoldFromSurfaceDefaults();
-    smooth.surface = mesh_surface(host, mesh);
-    smooth.smoothing_scale = 0.2;
+    smooth.surface = surface;
+    smooth.smoothing_scale = 0.25;
     FlgManifold seen{};
     ASSERT_EQ(flgManifoldCreateFromSurface(host.context, &smooth, &seen, nullptr), FLG_OK) << flgErrorGetMessage();
     const std::vector<double> points = torus_points(8, 2, 0.8);
     const MadeSpline made = make_spline(host, spline_desc(seen, points));
+    const MadeSpline rough = make_spline(host, spline_desc(mesh_manifold(host, surface), points));
+    const MadeSpline exact =
+        make_spline(host, spline_desc(shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8), points));
     ASSERT_EQ(made.result, FLG_OK) << made.error;
     EXPECT_EQ(made.view.ending, FLG_SPLINE_ENDING_CONVERGED);
     EXPECT_EQ(made.view.held_count, 0u);
     EXPECT_EQ(made.view.held_nodes, nullptr);
+    EXPECT_LT(made.view.rounds, rough.view.rounds);
+    EXPECT_LT(largest_distance(made, exact), 0.03);
+    EXPECT_NEAR(made.view.bending, exact.view.bending, 0.05 * exact.view.bending);
+    EXPECT_GT(rough.view.bending, 1.2 * exact.view.bending);
 }
 
 TEST(SplineApi, RoundsAreNotExceeded) {

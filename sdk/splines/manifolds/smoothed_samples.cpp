@@ -56,8 +56,11 @@ uint32_t fit(const OrientedSamples& surface, const OrientedSample& at, double sc
         normal += closeness * closeness * normal_of(other);
     });
     normal.normalize();
+    // Which side others are on is asked of the mean: the sample's own normal may be noise.
+    OrientedSample middle = at;
+    middle.normal = {normal.x(), normal.y(), normal.z()};
     QuadricFit quadric(place, normal, spacing, QuadricKind::smooth);
-    for_near(surface, at, reach, [&](uint32_t i) {
+    for_near(surface, middle, reach, [&](uint32_t i) {
         const OrientedSample& other = surface.sample(i);
         quadric.add_point(place_of(other));
         quadric.add_normal(place_of(other), normal_of(other));
