@@ -52,8 +52,8 @@ struct Application {
     SynthesisInput input;
     bool from_start = false;  // the first stroke along each curve
     bool whole_motifs = false;
-    bool joins = false;         // curves still change when all are stylized
-    double largest_mitred = 0;  // displacement times magnitude, metres, at scale 1 of the curve
+    bool joins = false;      // curves still change when all are stylized
+    double mitred_size = 0;  // of the style as it is drawn, metres, at scale 1 of the curve
     Column* style_index = nullptr;
     Column* displacement = nullptr;
     Column* time = nullptr;
@@ -120,9 +120,11 @@ Task<void> mitre(Pace& pace, const Application& application, uint32_t curve, uin
     Column* const displacement = application.displacement;
     co_await mitre_corners(pace, {.plan = plan,
                                   .magnitude = application.input.magnitude,
-                                  .largest = application.largest_mitred * application.scale_of(curve),
+                                  .size = application.mitred_size * application.scale_of(curve),
                                   .positions = frame_columns(application.sampling, out_curve).positions,
                                   .displacement = displacement ? displacement->values.data() + first : nullptr});
+    const Sampling& sampling = application.sampling;
+    if (application.time) co_await time_motion(pace, sampling.in, curve, sampling.out, out_curve);
 }
 
 StylizedColumns stylized_columns(const Application& application, uint32_t out_curve,
@@ -187,14 +189,6 @@ Task<void> fit_corners(Pace& pace, Application& application) {
     co_await each(pace, points.size(), Cost::some_ns, [&](uint32_t i) { std::construct_at(&points[i]); });
 }
 
-// Metres, as it is applied.
-Task<double> largest_displacement(Pace& pace, const AppliedStyle& style) {
-    double largest_sq = 0;
-    co_await each(pace, style.displacement.size(), Cost::some_ns,
-                  [&](uint32_t i) { largest_sq = std::max(largest_sq, style.displacement[i].squaredNorm()); });
-    co_return std::sqrt(largest_sq);
-}
-
 // At the curve's first point; null if nothing is steered.
 const Steered* steered_points(const Application& application, uint32_t curve) {
     if (application.steering.points.empty()) return nullptr;
@@ -248,6 +242,10 @@ Task<void> join_results(Pace& pace, const StylizeRequest& request, const Applica
                                      .magnitude = request.desc.magnitude,
                                      .bend = application.style.bend,
                                      .scales = application.sampling.scales});
+    for (uint32_t c = 0; application.time && c < request.out->curve_count(); ++c) {
+        co_await time_motion(pace, *request.target, c / application.sampling.copies, *request.out, c);
+        co_await pace;
+    }
     co_await each(pace, request.out->curve_count(), Cost::some_ns, [&](uint32_t c) { request.out->complete_curve(c); });
 }
 
@@ -299,9 +297,11 @@ Task<void> stylize(Pace& pace, const StylizeRequest& request, Application& appli
                          .hot_trees = request.drives.drive(FLG_STYLE_DRIVEN_TEMPERATURE) ? hot_trees.get() : nullptr,
                          .steered = !application.steering.points.empty()};
     if (!application.pieces.empty()) {
+        constexpr double size_per_rms = 1.5;  // of waves: their height
         const double driven = largest_driven * request.drives.largest(FLG_STYLE_DRIVEN_MAGNITUDE);
-        application.largest_mitred =
-            std::abs(double{desc.magnitude}) * driven * co_await largest_displacement(pace, application.style);
+        const double scaled = scaled_basis(scale, basis).norm() / std::sqrt(3.0);
+        const double applied = std::abs(double{desc.magnitude}) * scaled * driven;
+        application.mitred_size = size_per_rms * applied * prepared.displacement_rms;
     }
     application.joins = desc.smooth_junctions != 0;
     co_await fork(pace, batch_count(*request.target) * desc.strokes, &stylize_batch, application);

@@ -6,6 +6,7 @@
 
 #include "core/failure.h"
 #include "core/moving_frame.h"
+#include "runtime/each.h"
 
 namespace flg {
 
@@ -117,6 +118,15 @@ void Finishing::add_times(uint32_t first, uint32_t last) {
     time.seconds = time_;
     for (uint32_t i = first; i < last; ++i) time.add(i);
     time_ = time.seconds;
+}
+
+Task<void> time_motion(Pace& pace, const CurveSet& target, uint32_t curve, CurveSet& out, uint32_t out_curve) {
+    const uint32_t first = out.offsets()[out_curve];
+    MotionTime time(out.positions() + size_t{3} * first, out.find(FLG_ATTRIBUTE_SPEED)->values.data() + first,
+                    out.find(FLG_ATTRIBUTE_TIME)->values.data() + first);
+    const Column* start = target.find(FLG_ATTRIBUTE_TIME);
+    time.seconds = start ? double{start->values[target.offsets()[curve]]} : 0.0;
+    co_await each(pace, out.offsets()[out_curve + 1] - first, Cost::tens_of_ns, [&](uint32_t i) { time.add(i); });
 }
 
 void MotionTime::add(uint32_t point) {

@@ -64,6 +64,10 @@ struct MotionTime {
     void add(uint32_t point);
 };
 
+// Makes the TIME of a stylized curve from its SPEED, which the style has; it starts when curve `curve` of the target
+// does.
+Task<void> time_motion(Pace& pace, const CurveSet& target, uint32_t curve, CurveSet& out, uint32_t out_curve);
+
 // Stays a kernel: synthesis and live strokes go on with it, which allocate nothing. A unit is about 50 ns of it.
 class Finishing {
 public:

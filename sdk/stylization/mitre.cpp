@@ -11,22 +11,29 @@ namespace flg {
 
 namespace {
 
-constexpr double tip_max = 4;           // displacements
-constexpr double reversal = 1e-6;       // sum of both tangents at a turn that has no plane
-constexpr double parallel = 0.05;       // cosine below which nothing slides into a plane
-constexpr double fade_slope = 9.0 / 8;  // the most that the fade falls, in reaches
-constexpr double rounding = 1e-6;       // of coordinates
+constexpr double tip_max = 2;      // displacements
+constexpr double reversal = 1e-6;  // sum of both tangents at a turn that has no plane
+constexpr double parallel = 0.05;  // cosine below which nothing slides into a plane
+constexpr double sizes_max = 4;    // displacements are hardly longer
+constexpr double rounding = 1e-6;  // of coordinates
 constexpr uint32_t units_at_once = 200;
+
+// Falls evenly from 1 at 0 to 0 at 1.
+double faded(double r) {
+    return r < 1 ? 1 - r * r * (3 - 2 * r) : 0.0;
+}
 
 // One side of a corner.
 struct CornerSide {
     Vec3 corner = Vec3::Zero();
-    Vec3 inwards = Vec3::Zero();  // across the plane, to where the piece is; zero: there is no corner
-    double reach = 0, fade = 0;   // metres: how far the plane matters, and how far points slide
-    double kept = 1;              // share of the displacement that long tips leave
+    Vec3 inwards = Vec3::Zero();  // across the plane, to where the piece is
+    double reach = 0;             // metres: how far the plane matters; 0: there is no corner
+    double fade_along = 0,
+           fade_across = 0;  // metres: how far points slide for what they are off along the target, across
+    double kept = 1;         // share of the displacement that long tips leave
 
     CornerSide() = default;
-    CornerSide(const Vec3& at, const Vec3& before, const Vec3& behind, double side, double largest, double half_piece)
+    CornerSide(const Vec3& at, const Vec3& before, const Vec3& behind, double side, double size, double half_piece)
         : corner(at) {
         const double sum = (before + behind).norm(), difference = (behind - before).norm();
         if (sum < reversal) {
@@ -37,21 +44,22 @@ struct CornerSide {
             kept = std::min(1.0, tip_max * sum / difference);
         }
         const double tip = difference / std::max(sum, reversal);
-        // Sliding makes displacements longer.
-        reach = fade_slope * largest * (1 + tip_max) * (1 + tip);
-        fade = std::min(fade_slope * largest * (1 + std::min(tip, tip_max)), half_piece);
+        reach = sizes_max * (1 + tip_max) * (1 + tip) * size;
+        fade_along = std::min(size, half_piece);
+        fade_across = std::min(size * std::min(tip, tip_max), half_piece);
     }
 
     bool exists() const { return reach > 0; }
     // Into the plane, as far as the distance from the corner says.
     void slide(const Vec3& place, const Vec3& tangent, Vec3& d) const {
         const double distance = (place - corner).norm();
-        if (!exists() || !(distance < fade)) return;
-        const double r = distance / fade;
-        const double k = 1 - r * r * (3 - 2 * r);
-        d *= 1 - k * (1 - kept);
+        if (!exists() || !(distance < std::max(fade_along, fade_across))) return;
+        const double k = faded(distance / fade_along), l = faded(distance / fade_across);
+        const double along = tangent.dot(d);
+        const Vec3 across = (1 - l * (1 - kept)) * (d - along * tangent);
         const double ahead = inwards.dot(tangent);
-        if (std::abs(ahead) > parallel) d -= k * inwards.dot(d) / ahead * tangent;
+        const double slid = std::abs(ahead) > parallel ? l * inwards.dot(across) / ahead : 0.0;
+        d = across + ((1 - k) * along - slid) * tangent;
     }
     // How far the target's point is from the plane; below 0 the plane has no say.
     double room(const Vec3& place) const {
@@ -109,10 +117,10 @@ private:
         const double half = 0.5 * piece.metres;
         sides_ = {};
         if (closed || piece_ > 0) {
-            sides_[0] = {piece.start, before.tangent_end, piece.tangent_start, 1, input_.largest, half};
+            sides_[0] = {piece.start, before.tangent_end, piece.tangent_start, 1, input_.size, half};
         }
         if (closed || piece_ + 1 < count) {
-            sides_[1] = {next.start, piece.tangent_end, next.tangent_start, -1, input_.largest, half};
+            sides_[1] = {next.start, piece.tangent_end, next.tangent_start, -1, input_.size, half};
         }
     }
     void cut(uint32_t sample, const Vec3& place, const Vec3& tangent) {

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double patches_by_default = 2;
 constexpr uint32_t units_at_once = 100;
+constexpr size_t changes_max = 64;  // within a blend: each costs 10 ns a point
 
 // A stretch of a target that chooses one style, to `end` metres along it.
 struct StyleRun {
@@ -50,8 +51,7 @@ struct Mix {
     Column* style_index = nullptr;
     Column* angle = nullptr;
     size_t angle_column = 0;  // where among the columns that are mixed
-    Column* speed = nullptr;
-    Column* time = nullptr;
+    bool has_speed = false;
 
     const SamplingPlan& plan(uint32_t style, uint32_t curve) const {
         return input.styles[style].sampling->plans[curve];
@@ -125,7 +125,20 @@ Task<void> find_runs(Pace& pace, CurveView curve, const float* chosen, uint32_t 
     size_t changes = 0;
     co_await each_change(pace, curve, chosen, styles, [&](double, uint32_t) { ++changes; });
     runs.reserve(changes);
-    co_await each_change(pace, curve, chosen, styles, [&](double s, uint32_t style) { runs.push_back({s, style}); });
+    co_await each_change(pace, curve, chosen, styles, [&](double s, uint32_t style) {
+        // At repeated points there are runs without length.
+        if (runs.empty() || s > runs.back().end) runs.push_back({s, style});
+    });
+}
+
+// No longer than has so many changes in it.
+Task<double> bounded_blend(Pace& pace, std::span<const StyleRun> runs, double blend) {
+    const size_t windows = runs.size() > changes_max ? runs.size() - changes_max : 0;
+    co_await each(pace, windows, Cost::some_ns, [&](uint32_t k) {
+        const double window = runs[k + changes_max].end - runs[k].end;
+        if (window > 0) blend = std::min(blend, window);
+    });
+    co_return blend;
 }
 
 // Which styles count how much along a curve.
@@ -354,18 +367,11 @@ Task<void> mix_batch(Pace& pace, const Mix& mix, uint32_t batch) {
         std::pmr::vector<StyleRun> runs(pace.memory());
         const float* chosen = input.chosen.data() + input.target.offsets()[c];
         co_await find_runs(pace, curve_view(input.target, c), chosen, input.count, runs);
-        StyleWeights weights({runs.data(), runs.size()}, input.target.closed(c),
-                             input.blend > 0 ? input.blend : default_blend(mix, c));
+        const double blend = input.blend > 0 ? input.blend : default_blend(mix, c);
+        const std::span<const StyleRun> all(runs.data(), runs.size());
+        StyleWeights weights(all, input.target.closed(c), co_await bounded_blend(pace, all, blend));
         for (CurveMixer mixer(mix, c, out_curve, weights); mixer.run(units_at_once);) co_await pace;
-        if (mix.time) {
-            const uint32_t first = input.out.offsets()[out_curve];
-            MotionTime time(input.out.positions() + size_t{3} * first, mix.speed->values.data() + first,
-                            mix.time->values.data() + first);
-            const Column* start = input.target.find(FLG_ATTRIBUTE_TIME);
-            time.seconds = start ? double{start->values[input.target.offsets()[c]]} : 0.0;
-            co_await each(pace, input.out.offsets()[out_curve + 1] - first, Cost::tens_of_ns,
-                          [&](uint32_t i) { time.add(i); });
-        }
+        if (mix.has_speed) co_await time_motion(pace, input.target, c, input.out, out_curve);
         if (!input.unfinished) input.out.complete_curve(out_curve);
         pace.advance(input.out.offsets()[out_curve + 1] - input.out.offsets()[out_curve]);
         co_await pace;
@@ -418,7 +424,7 @@ void sort_column(Mix& mix, Column& out) {
             mix.angle = column.attribute ? &out : nullptr;
             mix.angle_column = mix.columns.size();
             break;
-        case FLG_ATTRIBUTE_SPEED: mix.speed = column.attribute ? &out : nullptr; break;
+        case FLG_ATTRIBUTE_SPEED: mix.has_speed = column.attribute != nullptr; break;
         default: break;
     }
     const bool mixed = column.attribute || out.attribute == FLG_ATTRIBUTE_POSITION ||
@@ -446,7 +452,6 @@ Task<void> mix_styles(Pace& pace, const MixInput& input) {
     Mix mix(input, pace.memory());
     co_await lay_out(pace, mix);
     for (Column& column : input.out.columns()) sort_column(mix, column);
-    if (mix.speed) mix.time = input.out.find(FLG_ATTRIBUTE_TIME);
     co_await fork(pace, batch_count(input.target) * mix.copies(), &mix_batch, std::as_const(mix));
 }
 

@@ -5,7 +5,8 @@
 // to point, and the nearest style counts). Over the length b, half before such a place and half behind, one style turns
 // into the next: a style's weight at arc length s is the share of the places x that choose it,
 //   w(s) = int over them of K((x - s) / b) dx / b,   K(y) = 3/2 - 6 y^2 within 1/2 of 0,
-// so that weights add up to 1, change without steps or bends, and are 1 where a style is alone for longer than b.
+// so that weights add up to 1, change without steps or bends, and are 1 where a style is alone for longer than b. Where
+// a curve's choice changes more than 64 times over b somewhere, b is as long as 64 changes there.
 // The result has the points of the style that has most on the curve. The others' places and attributes are interpolated
 // between their points that lie there along the target; what is alone is copied to the bit. Since all results are the
 // target plus a displacement, the mean of their points is the target plus the mean displacement.
