@@ -117,9 +117,15 @@ protected:
             const Position3 p = position(heard, i);
             const bool is_corner = i > 0 ? side[i] != side[i - 1] : closed;
             const size_t end = (side[i] + 1) % count;
-            if (closed || side[i] > 0) EXPECT_GE(plane(side[i], p), -1e-5) << i;
-            if (closed || side[i] + 2 < count) EXPECT_LE(plane(end, p), 1e-5) << i;
-            if (is_corner) EXPECT_NEAR(plane(side[i], p), 0, 1e-5) << i;
+            if (closed || side[i] > 0) {
+                EXPECT_GE(plane(side[i], p), -1e-5) << i;
+            }
+            if (closed || side[i] + 2 < count) {
+                EXPECT_LE(plane(end, p), 1e-5) << i;
+            }
+            if (is_corner) {
+                EXPECT_NEAR(plane(side[i], p), 0, 1e-5) << i;
+            }
         }
     }
 
@@ -186,7 +192,9 @@ TEST_F(Corners, EverySideHasTheSamePhaseHoweverLong) {
         const auto& index = heard.of(FLG_ATTRIBUTE_STYLE_INDEX);
         const std::vector<size_t> side = sides(heard, rectangle);
         for (size_t i = 0; i < heard.points(); ++i) {
-            if (i == 0 || side[i] != side[i - 1]) EXPECT_EQ(index[i], 0) << i;
+            if (i == 0 || side[i] != side[i - 1]) {
+                EXPECT_EQ(index[i], 0) << i;
+            }
         }
     }
 }
@@ -198,7 +206,9 @@ TEST_F(Corners, SidesTooShortForAMotifGetASmallOne) {
     const std::vector<size_t> side = sides(heard, step, false);
     const auto& d = heard.of(FLG_ATTRIBUTE_DISPLACEMENT);
     for (size_t i = 0; i < heard.points(); ++i) {
-        if (side[i] == 1) EXPECT_LT(std::hypot(d[3 * i], d[3 * i + 1], d[3 * i + 2]), 0.01) << i;
+        if (side[i] == 1) {
+            EXPECT_LT(std::hypot(d[3 * i], d[3 * i + 1], d[3 * i + 2]), 0.01) << i;
+        }
     }
 }
 

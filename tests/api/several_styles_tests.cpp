@@ -112,8 +112,12 @@ TEST_F(SeveralStyles, OneTurnsIntoTheNextOverTheBlend) {
         }
         const float points = static_cast<float>(style_info(host, styles[0]).point_count);
         const float index = mixed.of(FLG_ATTRIBUTE_STYLE_INDEX)[i];
-        if (weight < 0.45) EXPECT_LT(index, points);
-        if (weight > 0.55) EXPECT_GE(index, points);
+        if (weight < 0.45) {
+            EXPECT_LT(index, points);
+        }
+        if (weight > 0.55) {
+            EXPECT_GE(index, points);
+        }
     }
 }
 
