@@ -126,7 +126,8 @@ uint32_t StyleWalk::copies_before_last_jump(uint32_t points, uint32_t blended,
     return best;
 }
 
-void StyleWalk::go_home(uint32_t steps, std::span<const Vec3> displacement, SeamBlend& blend) {
+// Once a curve: kept out of what each sample runs through.
+[[gnu::noinline]] void StyleWalk::go_home(uint32_t steps, std::span<const Vec3> displacement, SeamBlend& blend) {
     const PatchGraph& graph = trees_->graph();
     const uint32_t points = std::min(last_blend_patches * graph.patch, steps);
     copies_ = copies_before_last_jump(points, blend.points_left(), displacement);

@@ -228,7 +228,8 @@ TEST_F(Corners, CapsComeAtCornersIfWanted) {
         }
     }
     desc.corner_caps = 0;
-    for (const float i : along(closed_polygon(square)).of(FLG_ATTRIBUTE_STYLE_INDEX)) {
+    const Heard bare = along(closed_polygon(square));
+    for (const float i : bare.of(FLG_ATTRIBUTE_STYLE_INDEX)) {
         EXPECT_GE(i, info.start_cap_points);
         EXPECT_LT(i, info.point_count - info.end_cap_points);
     }
