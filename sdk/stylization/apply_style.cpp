@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/failure.h"
 #include "curves/sampling_job.h"
@@ -330,10 +331,8 @@ Task<void> stylize_mixed(Pace& pace, const StylizeRequest& request, TargetPieces
         one.out = std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<>(pace.memory()), pace.memory());
         Application& application = applications[i].emplace(one, pace.memory());
         const bool has_corners = request.desc.corners != FLG_STYLE_CORNERS_THROUGH;
-        if (i == 0) application.pieces = std::move(pieces);
-        if (i > 0 && has_corners) {
-            application.pieces = co_await find_pieces(pace, one.target, request.desc.corner_angle);
-        }
+        if (i > 0 && has_corners) pieces = co_await find_pieces(pace, one.target, request.desc.corner_angle);
+        application.pieces = std::exchange(pieces, TargetPieces());
         co_await stylize(pace, one, application);
         mix.styles[i] = {&one.style->prepared, one.out.get(), &application.sampling};
     }

@@ -263,6 +263,24 @@ TEST_F(Corners, ClosedResultsBeginAtACorner) {
     EXPECT_NEAR(first.y, 4, 1e-5);
 }
 
+// As fast as the style says, along the result as it is.
+TEST_F(Corners, MotionsAreTimedAlongWhatWasCut) {
+    const double speed = 2;
+    FlgStyleDesc style = flgStyleDefaults();
+    Columns example{zigzag()};
+    style.style = example.with(FLG_ATTRIBUTE_SPEED, 1, [=](uint32_t, uint32_t) { return speed; }).create(host);
+    const FlgStyleAttribute attribute{FLG_ATTRIBUTE_SPEED, FLG_METRIC_AUTO, 0, 0};
+    style.attributes = &attribute;
+    style.attribute_count = 1;
+    desc.style = prepare(host, style);
+    desc.corners = FLG_STYLE_CORNERS_MITRE;
+    const Heard heard = along(closed_polygon(square));
+    const auto& time = heard.of(FLG_ATTRIBUTE_TIME);
+    for (size_t i = 1; i < heard.points(); ++i) {
+        EXPECT_NEAR(time[i] - time[i - 1], norm(position(heard, i) - position(heard, i - 1)) / speed, 1e-5) << i;
+    }
+}
+
 TEST_F(Corners, OtherOptionsGoOnWorking) {
     const FlgStyleDrive thinner{FLG_ATTRIBUTE_RADIUS, FLG_STYLE_DRIVEN_SCALE, 0, 1, 1, 0.5f};
     Columns columns{closed_polygon(square, 5)};
