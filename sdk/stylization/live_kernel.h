@@ -197,6 +197,7 @@ private:
     void make_lone_point();
     void begin_walk();
     void advance_walk(uint32_t point, const Steered& steered);
+    void lead_home();
     Vec3 displacement_of(uint32_t node) const;
     void take_supplied_normal(const Vec3& up);
     void follow_style(uint32_t k, const LiveHand& hand, const Steered& steered);
