@@ -180,6 +180,7 @@ Task<void> fit_corners(Pace& pace, Application& application) {
         if (pieces.of(c).empty()) continue;
         co_await fit_pieces(pace, application.corner_fit, sampling.spacing_of(c), pieces.of(c), pieces.across_of(c),
                             sampling.plans[c]);
+        co_await pace;
     }
     bool even = true;
     co_await each(pace, pieces.across.size(), Cost::some_ns, [&](uint32_t p) { even &= pieces.across[p] == 1; });

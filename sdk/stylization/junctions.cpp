@@ -226,12 +226,15 @@ Task<void> smooth_junctions(Pace& pace, JunctionInput input) {
                 &aims[end], other == none ? Aim{} : aim_of(EndView(input, end, stroke), EndView(input, other, stroke)));
         });
         for (uint32_t end = 0; end < ends; ++end) {
-            if (aims[end].step != Vec3::Zero()) {
-                const double scale = input.scales.empty() ? 1.0 : double{input.scales[end / 2]};
-                const double bend = input.bend * scale * std::abs(input.magnitude);
-                co_await bend_end(pace, input, EndView(input, end, stroke), bend, aims[end], slice);
+            if (aims[end].step == Vec3::Zero()) {
+                if (slice.is_over()) co_await pace;
+                continue;
             }
-            if (slice.is_over()) co_await pace;
+            const double scale = input.scales.empty() ? 1.0 : double{input.scales[end / 2]};
+            const double bend = input.bend * scale * std::abs(input.magnitude);
+            co_await bend_end(pace, input, EndView(input, end, stroke), bend, aims[end], slice);
+            // A task keeps its place on the stack until the pace is awaited.
+            co_await pace;
         }
     }
 }
