@@ -458,20 +458,20 @@ namespace Filigree
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
         /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
         /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
-        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
-        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
-        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
-        /// left must be long enough for two patches. Default 0.
+        /// directions; closed targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0:
+        /// found, as what comes before the first and after the last repetition of patches that are a sixteenth of the
+        /// style's points long, or `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared
+        /// twice for it). What is left must be long enough for two patches. Default 0.
         /// </summary>
         public float start_cap;
         /// <summary>
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
         /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
         /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
-        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
-        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
-        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
-        /// left must be long enough for two patches. Default 0.
+        /// directions; closed targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0:
+        /// found, as what comes before the first and after the last repetition of patches that are a sixteenth of the
+        /// style's points long, or `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared
+        /// twice for it). What is left must be long enough for two patches. Default 0.
         /// </summary>
         public float end_cap;
     }
