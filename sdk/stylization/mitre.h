@@ -26,7 +26,7 @@ struct MitreInput {
     float* displacement = nullptr;  // null: not wanted
 };
 
-// About 100 ns a sample. What the input refers to outlives the task.
+// About 150 ns a sample. What the input refers to outlives the task.
 Task<void> mitre_corners(Pace& pace, MitreInput input);
 
 }  // namespace flg
