@@ -68,6 +68,10 @@ StyleDrives read_hand_drives(const FlgLiveStrokeDesc& desc) {
     const StyleDrives drives = read_drives(desc.drives, desc.drive_count);
     for (uint32_t k = 0; k < desc.drive_count; ++k) {
         const FlgAttribute attribute = drives.list()[k].attribute;
+        if (drives.list()[k].driven == FLG_STYLE_DRIVEN_STYLE) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.drives[%u] drives the style, of which a live stroke has one", k);
+        }
         if (attribute == FLG_ATTRIBUTE_PRESSURE || attribute == FLG_ATTRIBUTE_SPEED) continue;
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.drives[%u].attribute is %d, a hand has FLG_ATTRIBUTE_PRESSURE and FLG_ATTRIBUTE_SPEED", k,

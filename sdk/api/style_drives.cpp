@@ -27,14 +27,14 @@ constexpr double scale_min = 1e-30, scale_max = 1e30;
 void check_value(FlgStyleDriven driven, float value, uint32_t index, const char* field) {
     if (!(std::abs(value) <= factor_max)) refuse(index, field, value, "finite and at most 1e30 in size");
     if (driven == FLG_STYLE_DRIVEN_SCALE && !(value > 0)) refuse(index, field, value, "above 0");
-    const bool size = driven == FLG_STYLE_DRIVEN_TEMPERATURE || driven == FLG_STYLE_DRIVEN_RADIUS;
-    if (size && value < 0) refuse(index, field, value, "at least 0");
+    const bool negative = driven == FLG_STYLE_DRIVEN_MAGNITUDE;
+    if (!negative && value < 0) refuse(index, field, value, "at least 0");
 }
 
 void check_drive(const FlgStyleDrive& drive, uint32_t index) {
     char argument[48];
     std::snprintf(argument, sizeof argument, "desc.drives[%u].driven", index);
-    check_enum(drive.driven, FLG_STYLE_DRIVEN_MAGNITUDE, FLG_STYLE_DRIVEN_RADIUS, argument, "FLG_STYLE_DRIVEN_");
+    check_enum(drive.driven, FLG_STYLE_DRIVEN_MAGNITUDE, FLG_STYLE_DRIVEN_STYLE, argument, "FLG_STYLE_DRIVEN_");
     if (!(std::abs(drive.from) <= factor_max)) refuse(index, "from", drive.from, "finite and at most 1e30 in size");
     if (!(std::abs(drive.to) <= factor_max)) refuse(index, "to", drive.to, "finite and at most 1e30 in size");
     if (drive.from == drive.to) refuse(index, "to", drive.to, "another number than `from`");
@@ -49,13 +49,16 @@ StyleDrives read_drives(const FlgStyleDrive* drives, uint32_t count) {
     if (count == 0) return {};
     require(drives, "desc.drives");
     double least_scale = 1, largest_scale = 1;
-    uint32_t temperatures = 0;
+    uint32_t temperatures = 0, styles = 0;
     for (uint32_t k = 0; k < count; ++k) {
         const FlgStyleDrive& drive = drives[k];
         check_drive(drive, k);
         if (drive.driven == FLG_STYLE_DRIVEN_TEMPERATURE && ++temperatures > 1) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.drives[%u] drives the temperature, as one before it does",
                           k);
+        }
+        if (drive.driven == FLG_STYLE_DRIVEN_STYLE && ++styles > 1) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.drives[%u] drives the style, as one before it does", k);
         }
         if (drive.driven != FLG_STYLE_DRIVEN_SCALE) continue;
         least_scale *= std::min(drive.at_from, drive.at_to);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdio>
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
@@ -13,11 +14,14 @@ namespace flg {
 namespace {
 
 constexpr uint32_t strokes_max = 1024;
+constexpr float corner_angle_rad = 0.87266463f;  // 50 degrees, from which on smooth curves have corners too
+constexpr float half_turn_rad = 3.1415927f;
 
 FlgCurveSetStylizeDesc default_stylize_desc() {
     auto desc = sized<FlgCurveSetStylizeDesc>();
     desc.magnitude = desc.scale = 1;
     desc.seed = desc.strokes = 1;
+    desc.corner_angle = corner_angle_rad;
     desc.basis[0] = desc.basis[4] = desc.basis[8] = 1;
     return desc;
 }
@@ -42,7 +46,35 @@ void check(const FlgCurveSetStylizeDesc& desc) {
                       "desc.exact_spacing is set, and desc.fit is %g: exact steps do not fit motifs to a length",
                       static_cast<double>(desc.fit));
     }
+    check_range(desc.further_style_count < styles_max, "desc.further_style_count", desc.further_style_count,
+                "at most 7");
+    if (desc.further_style_count > 0) require(desc.further_styles, "desc.further_styles");
+    check_range(desc.style_blend >= 0 && std::isfinite(desc.style_blend), "desc.style_blend", desc.style_blend,
+                "finite and at least 0");
+    if (desc.smooth_junctions != 0 && desc.pin_ends == 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.smooth_junctions is set, but desc.pin_ends is not: results do not meet in junctions");
+    }
+    check_enum(desc.corners, FLG_STYLE_CORNERS_THROUGH, FLG_STYLE_CORNERS_MOTIFS, "desc.corners", "FLG_STYLE_CORNERS_");
+    check_range(desc.corner_angle > 0 && desc.corner_angle < half_turn_rad, "desc.corner_angle", desc.corner_angle,
+                "above 0 and below pi");
+    if (desc.exact_spacing != 0 && desc.corners != FLG_STYLE_CORNERS_THROUGH) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.exact_spacing is set, and desc.corners is %d: exact steps do not come to corners",
+                      number_of(desc.corners));
+    }
     check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_STYLE_START_");
+}
+
+void read_further_styles(Context& context, Submission& submission, StylizeRequest& request) {
+    const FlgCurveSetStylizeDesc& desc = request.desc;
+    for (uint32_t k = 0; k < desc.further_style_count; ++k) {
+        char argument[48];
+        std::snprintf(argument, sizeof argument, "desc.further_styles[%u]", k);
+        request.further_styles[k] = context.styles.get(desc.further_styles[k].id, argument);
+        submission.read(*request.further_styles[k], argument);
+    }
+    request.further_style_count = desc.further_style_count;
 }
 
 }  // namespace
@@ -64,6 +96,11 @@ FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* d
         const FlgCurveSetStylizeDesc read = read_struct(desc, default_stylize_desc(), "desc");
         check(read);
         const StyleDrives drives = read_drives(read.drives, read.drive_count);
+        if (drives.drive(FLG_STYLE_DRIVEN_STYLE) != (read.further_style_count > 0)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.further_style_count is %u, but %s of desc.drives drives the style",
+                          read.further_style_count, read.further_style_count > 0 ? "none" : "one");
+        }
         Submission submission(self, read.job);
         const auto style = self.styles.get(read.style.id, "desc.style");
         const auto target = self.curve_sets.get(read.target.id, "desc.target");
@@ -73,7 +110,9 @@ FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* d
         if (target->visible_result() == FLG_OK) check_drive_columns(*target, drives);
         const auto out = self.make(self.curve_sets);
         out->origin = target->origin;
-        submission.job().strand.start(apply_style(submission.pace(), StylizeRequest{style, target, out, read, drives}));
+        StylizeRequest request{style, target, out, read, drives};
+        read_further_styles(self, submission, request);
+        submission.job().strand.start(apply_style(submission.pace(), std::move(request)));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
     });
 }

@@ -13,6 +13,10 @@ BlockSampler::BlockSampler(const CurveView& curve, double length, uint32_t steps
 BlockSampler::BlockSampler(const CurveView& curve, double step, const float* scales)
     : stream_(curve), curve_(curve), steps_(no_end), step_(step), scales_(scales) {}
 
+BlockSampler::BlockSampler(const CurveView& curve, uint32_t steps, const float* scales,
+                           std::span<const CurvePiece> pieces)
+    : stream_(curve), curve_(curve), steps_(steps), step_(1), scales_(scales), pieces_(pieces) {}
+
 bool BlockSampler::next(SampleBlock& out, uint32_t& units) {
     out.count = 0;
     if (steps_ == 0) {
@@ -40,7 +44,7 @@ bool BlockSampler::next(SampleBlock& out, uint32_t& units) {
     units -= std::min(units, out.count);
     find_places(starts_.data(), first, step_, out);
     for (uint32_t k = 0; k < out.count; ++k) out.segment[k] = stream_.index_of(static_cast<uint32_t>(out.row[k]));
-    if (scales_) scale_places(out);
+    if (scales_ || !pieces_.empty()) scale_places(out);
     place_samples(rows_, out);
     if (has_end) {
         const uint32_t last = out.count - 1;
@@ -81,8 +85,10 @@ bool BlockSampler::add_end(SampleBlock& out) {
 // From steps to metres.
 void BlockSampler::scale_places(SampleBlock& out) const {
     for (uint32_t k = 0; k < out.count; ++k) {
-        const double length = stream_.block().lengths[out.row[k]];
-        out.along[k] = step_scale(curve_, scales_, out.segment[k]).place(length, out.along[k]);
+        const auto row = static_cast<uint32_t>(out.row[k]);
+        const double length = stream_.block().lengths[row];
+        if (!pieces_.empty()) out.along[k] = static_cast<float>(out.along[k] * row_steps_[row]);
+        if (scales_) out.along[k] = step_scale(curve_, scales_, out.segment[k]).place(length, out.along[k]);
     }
 }
 
@@ -101,7 +107,9 @@ bool BlockSampler::read_on(uint32_t& units) {
         }
         end_ = end;
     };
-    if (scales_)
+    if (!pieces_.empty())
+        add_pieces(range);
+    else if (scales_)
         add([&](uint32_t j) { return step_scale(curve_, scales_, stream_.index_of(j)).steps(block.lengths[j]); });
     else
         add([&](uint32_t j) { return block.lengths[j]; });
@@ -111,6 +119,24 @@ bool BlockSampler::read_on(uint32_t& units) {
     row_ = range.first;
     last_row_ = range.last;
     return true;
+}
+
+// Pieces end at whole steps, to the bit.
+void BlockSampler::add_pieces(SegmentStream::Range range) {
+    const SegmentBlock& block = stream_.block();
+    for (uint32_t j = range.first; j < range.last; ++j) {
+        const CurvePiece& piece = pieces_[piece_];
+        const uint32_t index = stream_.index_of(j);
+        const double length = scales_ ? step_scale(curve_, scales_, index).steps(block.lengths[j]) : block.lengths[j];
+        starts_[j] = end_;
+        end_ = std::min(end_ + length / piece.step, static_cast<double>(piece.end_step));
+        if (index == piece.last_segment) {
+            end_ = piece.end_step;
+            piece_ += piece_ + 1 < pieces_.size() ? 1 : 0;
+        }
+        ends_[j] = end_;
+        row_steps_[j] = piece.step;
+    }
 }
 
 }  // namespace flg

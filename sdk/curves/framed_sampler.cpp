@@ -19,6 +19,7 @@ FramedSampler::FramedSampler(const SamplingPlan& plan)
 }
 
 BlockSampler FramedSampler::begin() const {
+    if (!plan_.pieces.empty()) return {plan_.curve, plan_.steps, plan_.step_scales, plan_.pieces};
     if (plan_.exact_step > 0) return {plan_.curve, plan_.exact_step, plan_.step_scales};
     const double length = plan_.step_scales ? plan_.scaled_length : plan_.measure.length;
     return {plan_.curve, length, plan_.steps, plan_.step_scales};

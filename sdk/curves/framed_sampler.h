@@ -28,6 +28,7 @@ struct SamplingPlan {
     double exact_step = 0;               // metres; 0: the curve's length in equal steps
     const float* step_scales = nullptr;  // by how much steps are longer at each point of the curve; null: by nothing
     double scaled_length = 0;            // the curve's, if there are step_scales
+    std::span<const CurvePiece> pieces{};  // with their own steps, `steps` together; none: the curve's
 
     uint32_t sample_count() const { return steps == 0 ? 1 : (curve.closed ? steps : steps + 1); }
 };

@@ -3,11 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/failure.h"
 #include "curves/sampling_job.h"
 #include "runtime/each.h"
 #include "stylization/automatic_scale.h"
+#include "stylization/corner_fit.h"
+#include "stylization/junctions.h"
+#include "stylization/mitre.h"
 #include "stylization/stroke_fit.h"
 #include "stylization/synthesis.h"
 
@@ -40,11 +46,15 @@ struct Application {
     Steering steering;
     Sampling sampling;
     Buffer<float> across;  // of each target curve; empty: 1
+    TargetPieces pieces;   // none if corners are gone through
+    CornerFit corner_fit;
     AppliedStyle style;
     ChosenScales chosen;  // empty if the host has given one
     SynthesisInput input;
     bool from_start = false;  // the first stroke along each curve
     bool whole_motifs = false;
+    bool joins = false;      // curves still change when all are stylized
+    double mitred_size = 0;  // of the style as it is drawn, metres, at scale 1 of the curve
     Column* style_index = nullptr;
     Column* displacement = nullptr;
     Column* time = nullptr;
@@ -104,6 +114,20 @@ Task<void> thin_radius(Pace& pace, const Application& application, uint32_t curv
                   [=](uint32_t i) { radius[i] *= thinning; });
 }
 
+Task<void> mitre(Pace& pace, const Application& application, uint32_t curve, uint32_t out_curve) {
+    const SamplingPlan& plan = application.sampling.plans[curve];
+    if (plan.pieces.empty()) co_return;
+    const size_t first = size_t{3} * application.sampling.out.offsets()[out_curve];
+    Column* const displacement = application.displacement;
+    co_await mitre_corners(pace, {.plan = plan,
+                                  .magnitude = application.input.magnitude,
+                                  .size = application.mitred_size * application.scale_of(curve),
+                                  .positions = frame_columns(application.sampling, out_curve).positions,
+                                  .displacement = displacement ? displacement->values.data() + first : nullptr});
+    const Sampling& sampling = application.sampling;
+    if (application.time) co_await time_motion(pace, sampling.in, curve, sampling.out, out_curve);
+}
+
 StylizedColumns stylized_columns(const Application& application, uint32_t out_curve,
                                  std::pmr::vector<float*>& attributes) {
     const size_t first = application.sampling.out.offsets()[out_curve];
@@ -129,19 +153,42 @@ double start_time(const CurveSet& target, uint32_t curve) {
 // Open curves get as many steps as caps and motifs ask for.
 Task<void> fit_strokes(Pace& pace, const PatchGraph& graph, double fit, Application& application) {
     Sampling& sampling = application.sampling;
+    const bool by_corner = application.corner_fit.motifs && !application.pieces.empty();
     application.whole_motifs = fit > 0;
     application.across = Buffer<float>(sampling.in.curve_count(), pace.memory());
     co_await each(pace, sampling.in.curve_count(), Cost::tens_of_ns, [&](uint32_t c) {
         SamplingPlan& plan = sampling.plans[c];
         StrokeFit stroke{plan.steps};
-        if (plan.steps > 0 && !plan.curve.closed) {
-            stroke = fit_stroke(graph, plan.scaled_length / sampling.spacing_of(c), plan.steps, fit);
+        const bool by_piece = by_corner && !application.pieces.of(c).empty();
+        if (plan.steps > 0 && !plan.curve.closed && !by_piece) {
+            const StrokeCaps caps{graph.start_cap, graph.end_cap};
+            stroke = fit_stroke(graph, caps, plan.scaled_length / sampling.spacing_of(c), plan.steps, fit);
         }
         // Exact steps of another length are none.
         if (stroke.steps != plan.steps) plan.exact_step = 0;
         plan.steps = stroke.steps;
         application.across[c] = stroke.across;
     });
+}
+
+// The same from corner to corner. Where sizes differ from piece to piece, samples are steered by nothing else.
+Task<void> fit_corners(Pace& pace, Application& application) {
+    Sampling& sampling = application.sampling;
+    TargetPieces& pieces = application.pieces;
+    if (application.corner_fit.motifs) pieces.across = Buffer<float>(pieces.pieces.size(), pace.memory());
+    for (uint32_t c = 0; c < sampling.in.curve_count(); ++c) {
+        if (pieces.of(c).empty()) continue;
+        co_await fit_pieces(pace, application.corner_fit, sampling.spacing_of(c), pieces.of(c), pieces.across_of(c),
+                            sampling.plans[c]);
+        co_await pace;
+    }
+    bool even = true;
+    co_await each(pace, pieces.across.size(), Cost::some_ns, [&](uint32_t p) { even &= pieces.across[p] == 1; });
+    if (even) pieces.across = {};
+    if (even || !application.steering.points.empty()) co_return;
+    Buffer<Steered>& points = application.steering.points;
+    points = Buffer<Steered>(sampling.in.point_count(), pace.memory());
+    co_await each(pace, points.size(), Cost::some_ns, [&](uint32_t i) { std::construct_at(&points[i]); });
 }
 
 // At the curve's first point; null if nothing is steered.
@@ -170,7 +217,10 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
                       .carried = pairs,
                       .steered = steered_points(application, c),
                       .across = application.across.empty() ? 1.0f : application.across[c],
-                      .whole_motifs = application.whole_motifs});
+                      .whole_motifs = application.whole_motifs,
+                      .motifs_by_piece = application.corner_fit.motifs,
+                      .corner_caps = application.corner_fit.caps,
+                      .across_pieces = application.pieces.across_of(c)});
         uint32_t written = 0;
         while (!kernel.run(synthesis_chunk)) {
             pace.advance(kernel.written() - written);
@@ -178,18 +228,33 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
             co_await pace;
         }
         pace.advance(kernel.written() - written);
+        co_await mitre(pace, application, c, out_curve);
         co_await thin_radius(pace, application, c, out_curve);
-        sampling.out.complete_curve(out_curve);
+        if (!application.joins) sampling.out.complete_curve(out_curve);
         co_await pace;
     }
 }
 
-}  // namespace
+Task<void> join_results(Pace& pace, const StylizeRequest& request, const Application& application) {
+    if (request.desc.smooth_junctions == 0) co_return;
+    co_await smooth_junctions(pace, {.target = *request.target,
+                                     .out = *request.out,
+                                     .copies = application.sampling.copies,
+                                     .patch = request.style->prepared.graph.patch,
+                                     .magnitude = request.desc.magnitude,
+                                     .bend = application.style.bend,
+                                     .scales = application.sampling.scales});
+    for (uint32_t c = 0; application.time && c < request.out->curve_count(); ++c) {
+        co_await time_motion(pace, *request.target, c / application.sampling.copies, *request.out, c);
+        co_await pace;
+    }
+    co_await each(pace, request.out->curve_count(), Cost::some_ns, [&](uint32_t c) { request.out->complete_curve(c); });
+}
 
-Task<void> apply_style(Pace& pace, StylizeRequest request) {
+// Junctions are left as they are.
+Task<void> stylize(Pace& pace, const StylizeRequest& request, Application& application) {
     const PreparedStyle& prepared = request.style->prepared;
     const FlgCurveSetStylizeDesc& desc = request.desc;
-    Application application(request, pace.memory());
     if (!request.drives.empty()) pace.stage("steering");
     application.steering = co_await steer(pace, *request.target, request.drives);
     application.sampling.step_scales = application.steering.scales.data();
@@ -203,7 +268,15 @@ Task<void> apply_style(Pace& pace, StylizeRequest request) {
         });
     }
     co_await measure_sampling(pace, application.sampling);
-    if (prepared.graph.caps() > 0 || desc.fit > 0) co_await fit_strokes(pace, prepared.graph, desc.fit, application);
+    const bool motifs_by_corner = desc.corners == FLG_STYLE_CORNERS_MOTIFS;
+    const double fit = motifs_by_corner && desc.fit == 0 ? 1.0 : double{desc.fit};
+    application.corner_fit = {&prepared.graph, fit, motifs_by_corner, desc.corner_caps != 0};
+    if (prepared.graph.caps() > 0 || fit > 0) co_await fit_strokes(pace, prepared.graph, fit, application);
+    if (!application.pieces.empty()) {
+        co_await measure_pieces(pace, *request.target, application.sampling.step_scales, desc.corner_angle,
+                                application.pieces);
+        co_await fit_corners(pace, application);
+    }
     co_await lay_out_sampling(pace, application.sampling, style_columns(request, pace.memory()));
 
     pace.stage("synthesis");
@@ -224,8 +297,68 @@ Task<void> apply_style(Pace& pace, StylizeRequest request) {
                          .pin_ends = desc.pin_ends != 0,
                          .seed = desc.seed,
                          .hot_trees = request.drives.drive(FLG_STYLE_DRIVEN_TEMPERATURE) ? hot_trees.get() : nullptr,
-                         .steered = !request.drives.empty()};
+                         .steered = !application.steering.points.empty()};
+    if (!application.pieces.empty()) {
+        constexpr double size_per_rms = 1.5;  // of waves: their height
+        const double driven = largest_driven * request.drives.largest(FLG_STYLE_DRIVEN_MAGNITUDE);
+        const double scaled = scaled_basis(scale, basis).norm() / std::sqrt(3.0);
+        const double applied = std::abs(double{desc.magnitude}) * scaled * driven;
+        application.mitred_size = size_per_rms * applied * prepared.displacement_rms;
+    }
+    application.joins = desc.smooth_junctions != 0;
     co_await fork(pace, batch_count(*request.target) * desc.strokes, &stylize_batch, application);
+}
+
+// Each style by itself, then all of them mixed.
+Task<void> stylize_mixed(Pace& pace, const StylizeRequest& request, TargetPieces pieces) {
+    const uint32_t count = request.further_style_count + 1;
+    const auto style = [&](uint32_t i) { return i == 0 ? request.style : request.further_styles[i - 1]; };
+    for (uint32_t i = 1; i < count; ++i) {
+        check_same_attributes(request.style->prepared, style(i)->prepared, i - 1);
+    }
+    const Steering chosen = co_await steer(pace, *request.target, request.drives);
+    MixInput mix{.count = count,
+                 .target = *request.target,
+                 .chosen = chosen.styles,
+                 .blend = request.desc.style_blend,
+                 .out = *request.out,
+                 .unfinished = request.desc.smooth_junctions != 0};
+    std::array<std::optional<Application>, styles_max> applications;
+    std::array<StylizeRequest, styles_max> requests;
+    for (uint32_t i = 0; i < count; ++i) {
+        StylizeRequest& one = requests[i] = request;
+        one.style = style(i);
+        one.drives = request.drives.without(FLG_STYLE_DRIVEN_STYLE);
+        one.out = std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<>(pace.memory()), pace.memory());
+        Application& application = applications[i].emplace(one, pace.memory());
+        const bool has_corners = request.desc.corners != FLG_STYLE_CORNERS_THROUGH;
+        if (i > 0 && has_corners) pieces = co_await find_pieces(pace, one.target, request.desc.corner_angle);
+        application.pieces = std::exchange(pieces, TargetPieces());
+        co_await stylize(pace, one, application);
+        mix.styles[i] = {&one.style->prepared, one.out.get(), &application.sampling};
+    }
+    co_await mix_styles(pace, mix);
+    const FlgCurveSetScales scales = requests[0].out->scales();
+    Buffer<float>& kept = request.out->allocate_scales();
+    co_await each(pace, kept.size(), Cost::some_ns, [&](uint32_t c) { kept[c] = scales.scales[c]; });
+    co_await join_results(pace, request, *applications[0]);
+}
+
+}  // namespace
+
+Task<void> apply_style(Pace& pace, StylizeRequest request) {
+    TargetPieces pieces;
+    if (request.desc.corners != FLG_STYLE_CORNERS_THROUGH) {
+        pieces = co_await find_pieces(pace, request.target, request.desc.corner_angle);
+    }
+    if (request.further_style_count > 0) {
+        co_await stylize_mixed(pace, request, std::move(pieces));
+        co_return;
+    }
+    Application application(request, pace.memory());
+    application.pieces = std::move(pieces);
+    co_await stylize(pace, request, application);
+    co_await join_results(pace, request, application);
 }
 
 }  // namespace flg

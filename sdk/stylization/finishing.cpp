@@ -6,6 +6,7 @@
 
 #include "core/failure.h"
 #include "core/moving_frame.h"
+#include "runtime/each.h"
 
 namespace flg {
 
@@ -113,19 +114,33 @@ void Finishing::blend_over_start(uint32_t sample) {
 
 void Finishing::add_times(uint32_t first, uint32_t last) {
     const float* speeds = input_.out.attributes[input_.style->find(FLG_ATTRIBUTE_SPEED)];
-    for (uint32_t i = first; i < last; ++i) {
-        if (i > 0) {
-            const float* position = input_.out.frames.positions + 3 * static_cast<size_t>(i);
-            const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
-            time_ += distance / (0.5 * (static_cast<double>(speeds[i - 1]) + speeds[i]));
-        }
-        if (!(time_ <= time_max_s)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "the style's SPEED is as low as %g m/s: the result would have a TIME of %g s, above 1e30",
-                          static_cast<double>(speeds[i]), time_);
-        }
-        input_.out.time[i] = static_cast<float>(time_);
+    MotionTime time(input_.out.frames.positions, speeds, input_.out.time);
+    time.seconds = time_;
+    for (uint32_t i = first; i < last; ++i) time.add(i);
+    time_ = time.seconds;
+}
+
+Task<void> time_motion(Pace& pace, const CurveSet& target, uint32_t curve, CurveSet& out, uint32_t out_curve) {
+    const uint32_t first = out.offsets()[out_curve];
+    MotionTime time(out.positions() + size_t{3} * first, out.find(FLG_ATTRIBUTE_SPEED)->values.data() + first,
+                    out.find(FLG_ATTRIBUTE_TIME)->values.data() + first);
+    const Column* start = target.find(FLG_ATTRIBUTE_TIME);
+    time.seconds = start ? double{start->values[target.offsets()[curve]]} : 0.0;
+    co_await each(pace, out.offsets()[out_curve + 1] - first, Cost::tens_of_ns, [&](uint32_t i) { time.add(i); });
+}
+
+void MotionTime::add(uint32_t point) {
+    if (point > 0) {
+        const float* position = positions + 3 * static_cast<size_t>(point);
+        const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
+        seconds += distance / (0.5 * (static_cast<double>(speeds[point - 1]) + speeds[point]));
     }
+    if (!(seconds <= time_max_s)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "the style's SPEED is as low as %g m/s: the result would have a TIME of %g s, above 1e30",
+                      static_cast<double>(speeds[point]), seconds);
+    }
+    times[point] = static_cast<float>(seconds);
 }
 
 }  // namespace flg

@@ -52,6 +52,22 @@ struct FinishingInput {
 // Throws what the host is told of a position that curve sets can't hold.
 void check_position(const Vec3& position, double magnitude);
 
+// When a motion gets to the points of a curve: point after point, from where it is at `seconds`.
+struct MotionTime {
+    const float* positions = nullptr;  // 3 a point
+    const float* speeds = nullptr;     // metres a second
+    float* times = nullptr;
+    double seconds = 0;
+
+    MotionTime(const float* at, const float* how_fast, float* when) : positions(at), speeds(how_fast), times(when) {}
+    // Throws what the host is told of times that curve sets can't hold.
+    void add(uint32_t point);
+};
+
+// Makes the TIME of a stylized curve from its SPEED, which the style has; it starts when curve `curve` of the target
+// does.
+Task<void> time_motion(Pace& pace, const CurveSet& target, uint32_t curve, CurveSet& out, uint32_t out_curve);
+
 // Stays a kernel: synthesis and live strokes go on with it, which allocate nothing. A unit is about 50 ns of it.
 class Finishing {
 public:

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/failure.h"
+#include "runtime/each.h"
 #include "runtime/fork.h"
 
 namespace flg {
@@ -54,6 +55,18 @@ Task<void> copy(Pace& pace, const float* from, float* to, size_t count) {
     }
 }
 
+// The style as it is applied; nothing if strokes have no end cap.
+Task<Buffer<Vec3>> fit_displacement(Pace& pace, const LiveSettings& settings) {
+    Buffer<Vec3> displacement;
+    if (!settings.end_cap || settings.style->graph.end_cap == 0) co_return displacement;
+    const Eigen::Matrix3d basis = scaled_basis(settings.scale, settings.basis);
+    displacement = Buffer<Vec3>(settings.style->point_count(), pace.memory());
+    co_await each(pace, displacement.size(), Cost::tens_of_ns, [&](uint32_t node) {
+        std::construct_at(&displacement[node], fitted(basis, settings.style->displacement, node));
+    });
+    co_return displacement;
+}
+
 // A set of one open curve.
 void lay_out(CurveSet& set, uint32_t points, const std::pmr::vector<CurveSet::ColumnLayout>& layout) {
     set.allocate_curves(1);
@@ -70,6 +83,21 @@ Task<void> copy_points(Pace& pace, const LiveStroke& stroke, uint32_t first, uin
         const size_t components = columns.layout[k].components;
         co_await copy(pace, columns.data[k] + first * components, out.columns()[k].values.data(), count * components);
     }
+    out.complete_curve(0);
+}
+
+// The whole stroke once more, `points` long, with the style's end cap.
+Task<void> draw_capped(Pace& pace, const LiveStroke& stroke, uint32_t points, std::span<const Vec3> displacement,
+                       CurveSet& out) {
+    LiveColumns columns = stroke.columns();
+    lay_out(out, points, {columns.layout.begin(), columns.layout.begin() + columns.count, pace.memory()});
+    for (uint32_t k = 0; k < columns.count; ++k) columns.data[k] = out.columns()[k].values.data();
+    LiveSettings settings = stroke.settings();
+    settings.point_count = points;
+    settings.displacement = displacement;
+    LiveKernel kernel(settings, stroke.samples(), columns);
+    kernel.close();
+    for (uint32_t units = point_chunk; !kernel.run(stroke.sample_count(), units); units = point_chunk) co_await pace;
     out.complete_curve(0);
 }
 
@@ -94,6 +122,7 @@ struct Replay {
     const LiveReplayRequest& request;
     LiveSettings settings;
     LiveColumns columns;
+    Buffer<Vec3> displacement{};  // if strokes have end caps
 };
 
 LiveSamples samples_of_curve(const CurveSet& set, uint32_t curve) {
@@ -157,7 +186,12 @@ Task<void> draw_curve(Pace& pace, Replay& replay, uint32_t curve) {
     for (uint32_t k = 0; k < columns.count; ++k) {
         columns.data[k] = out.columns()[k].values.data() + size_t{out.offsets()[curve]} * columns.layout[k].components;
     }
-    LiveKernel kernel(settings_of_curve(replay, curve), samples_of_curve(*replay.request.samples, curve), columns);
+    LiveSettings settings = settings_of_curve(replay, curve);
+    if (!replay.displacement.empty()) {
+        settings.point_count = out.offsets()[curve + 1] - out.offsets()[curve];
+        settings.displacement = {replay.displacement.data(), replay.displacement.size()};
+    }
+    LiveKernel kernel(settings, samples_of_curve(*replay.request.samples, curve), columns);
     kernel.close();
     const uint32_t count = sample_count_of(*replay.request.samples, curve);
     for (uint32_t units = point_chunk; !kernel.run(count, units); units = point_chunk) co_await pace;
@@ -190,7 +224,13 @@ Task<void> end_stroke(Pace& pace, LiveEnding& ending) {
     LiveKernel& kernel = stroke.kernel();
     for (uint32_t units = point_chunk; !kernel.run(stroke.sample_count(), units); units = point_chunk) co_await pace;
     pace.stage("copy");
-    if (ending.stylized) co_await copy_points(pace, stroke, 0, kernel.state().points, *ending.stylized);
+    const uint32_t points = kernel.state().points;
+    const Buffer<Vec3> displacement = co_await fit_displacement(pace, stroke.settings());
+    if (ending.stylized && displacement.empty()) {
+        co_await copy_points(pace, stroke, 0, points, *ending.stylized);
+    } else if (ending.stylized) {
+        co_await draw_capped(pace, stroke, points, {displacement.data(), displacement.size()}, *ending.stylized);
+    }
     if (ending.samples) co_await copy_samples(pace, stroke, *ending.samples);
 }
 
@@ -216,6 +256,7 @@ Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
     Replay replay{request, live_settings(request.desc, style, request.drives), live_columns(style)};
     replay.settings.trees = trees.get();
     replay.settings.hot_trees = hot_trees.get();
+    replay.displacement = co_await fit_displacement(pace, replay.settings);
 
     pace.stage("check");
     CurveSet& out = *request.out;

@@ -261,18 +261,29 @@ bool LiveKernel::follow_segment(uint32_t& units) {
 }
 
 void LiveKernel::begin_walk() {
-    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, StyleWalk::endless);
+    const bool has_end = settings_.point_count > 1;
+    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0,
+                            has_end ? settings_.point_count : StyleWalk::endless);
     state_.walk.heat(settings_.hot_trees);
     state_.walk.begin_with_cap();
+    if (has_end) state_.walk.end_with_cap();
     state_.blend =
         SeamBlend(settings_.style->graph.patch, fitted_bend(basis_, *settings_.style), settings_.style->attributes);
 }
 
 void LiveKernel::advance_walk(uint32_t point, const Steered& steered) {
     const uint32_t from = state_.walk.node();
+    if (settings_.point_count > 0) [[unlikely]]
+        lead_home();
     const bool hot = steered.is_hot(settings_.seed, 0, point);
     if (!state_.walk.advance(hot)) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
     state_.blend.step(from, state_.walk.node(), [this](uint32_t node) { return displacement_of(node); });
+}
+
+// Kept out of what strokes run through while they are drawn.
+[[gnu::noinline]] void LiveKernel::lead_home() {
+    if (!state_.walk.turns_home()) return;
+    state_.walk.go_home(settings_.point_count - 1, settings_.displacement, state_.blend);
 }
 
 Vec3 LiveKernel::displacement_of(uint32_t node) const {

@@ -15,7 +15,8 @@
 // - Only the past counts: points once made stay.
 // - LiveState is a value. With the samples it says all that is to come, whatever slices run() was called in.
 // Departure from synthesis: there is no last sample to aim at, so a run never goes on to the style's end instead of
-// jumping (StyleWalk is told of more samples than there can be).
+// jumping (StyleWalk is told of more samples than there can be). Only a stroke that is drawn again, once it has ended,
+// knows its end, and can have the style's end cap.
 #pragma once
 
 #include <Eigen/Core>
@@ -123,6 +124,11 @@ struct LiveSettings {
     bool from_start = true;
     uint64_t seed = 1;
     uint32_t max_points = 0;
+    // If it is known: how many points the stroke will have, the last of which are the style's end cap; and the style's
+    // displacements, fitted.
+    uint32_t point_count = 0;
+    std::span<const Vec3> displacement{};
+    bool end_cap = false;  // is wanted once the stroke has ended
 
     double spacing() const { return style->spacing() * scale; }
 };
@@ -191,6 +197,7 @@ private:
     void make_lone_point();
     void begin_walk();
     void advance_walk(uint32_t point, const Steered& steered);
+    void lead_home();
     Vec3 displacement_of(uint32_t node) const;
     void take_supplied_normal(const Vec3& up);
     void follow_style(uint32_t k, const LiveHand& hand, const Steered& steered);

@@ -106,6 +106,7 @@ LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& s
     settings.from_start = desc.start != FLG_STYLE_START_RANDOM;
     settings.seed = desc.seed;
     settings.max_points = desc.max_points;
+    settings.end_cap = desc.end_cap != 0;
     return settings;
 }
 

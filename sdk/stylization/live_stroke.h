@@ -95,6 +95,7 @@ public:
     bool cut() const { return seen().cut; }
     double spacing() const { return settings_.spacing(); }
     double scale() const { return settings_.scale; }
+    const LiveSettings& settings() const { return settings_; }
     const LiveColumns& columns() const { return columns_; }
     const LiveSamples& samples() const { return samples_; }
 

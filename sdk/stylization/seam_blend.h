@@ -63,7 +63,7 @@ public:
         find_attribute_gaps(from, to, shares_at_from);
         gap_ = followed - copied;
         step_gap_ = (followed - shown) - (displacement(to + 1) - copied);
-        fades_ = !faded_.empty();
+        fades_ = cross_fades_;
         if (fades_) {
             carried_ = carried;
             left_run_ = {from + 1, curve_end_[from] - 1};
@@ -76,9 +76,15 @@ public:
     // The next seam, and all behind it, are cross-faded over so many points. A run whose style curve ends stays at its
     // last point. `displacement` and `curve_end` are the style's, by node, and outlive the blend.
     void cross_fade(uint32_t points, std::span<const Vec3> displacement, std::span<const uint32_t> curve_end) {
+        cross_fades_ = true;
         points_ = points;
         faded_ = displacement;
         curve_end_ = curve_end;
+    }
+    // Seams from the next one on are blended again, over so many points.
+    void stop_cross_fading(uint32_t points) {
+        cross_fades_ = false;
+        points_ = points;
     }
     // To the next sample of the same run.
     void go_on() {
@@ -180,6 +186,7 @@ private:
     std::span<const uint32_t> curve_end_;  // likewise
     Run left_run_, taken_run_;             // of the cross-fade that there is
     Vec3 carried_ = Vec3::Zero();          // what was left of the blend before it
+    bool cross_fades_ = false;             // the seams to come are
     bool fades_ = false;                   // the seam's blend is a cross-fade
     Shares shares_;
     double per_span_ = 1;

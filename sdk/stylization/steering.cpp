@@ -72,16 +72,33 @@ double StyleDrives::largest(FlgStyleDriven driven) const {
     return largest;
 }
 
+StyleDrives StyleDrives::without(FlgStyleDriven driven) const {
+    StyleDrives others;
+    for (const FlgStyleDrive& drive : list()) {
+        if (drive.driven != driven) others.drives_[others.count_++] = drive;
+    }
+    return others;
+}
+
 // A value that is no number counts as `from`.
-void StyleDrives::drive(const FlgStyleDrive& drive, float value, Steered& steered) {
+double StyleDrives::share(const FlgStyleDrive& drive, float value) {
     const double way = (double{value} - double{drive.from}) / (double{drive.to} - double{drive.from});
-    const double share = way > 0 ? std::min(way, 1.0) : 0.0;
-    const auto driven = static_cast<float>((1 - share) * double{drive.at_from} + share * double{drive.at_to});
+    return way > 0 ? std::min(way, 1.0) : 0.0;
+}
+
+float StyleDrives::driven_value(const FlgStyleDrive& drive, double share) {
+    return static_cast<float>((1 - share) * double{drive.at_from} + share * double{drive.at_to});
+}
+
+void StyleDrives::drive(const FlgStyleDrive& drive, float value, Steered& steered) {
+    const double way = share(drive, value);
+    const float driven = driven_value(drive, way);
     switch (drive.driven) {
         case FLG_STYLE_DRIVEN_MAGNITUDE: steered.magnitude *= driven; break;
         case FLG_STYLE_DRIVEN_SCALE: steered.scale *= driven; break;
         case FLG_STYLE_DRIVEN_RADIUS: steered.radius *= driven; break;
-        default: steered.heat = static_cast<float>(share);
+        case FLG_STYLE_DRIVEN_TEMPERATURE: steered.heat = static_cast<float>(way); break;
+        default: break;
     }
 }
 
@@ -121,6 +138,11 @@ Task<Steering> steer(Pace& pace, const CurveSet& target, const StyleDrives& driv
     steering.points = Buffer<Steered>(target.point_count(), pace.memory());
     if (drives.drive(FLG_STYLE_DRIVEN_SCALE)) {
         steering.scales = Buffer<float>(target.point_count(), pace.memory());
+    }
+    if (drives.drive(FLG_STYLE_DRIVEN_STYLE)) {
+        steering.styles = Buffer<float>(target.point_count(), pace.memory());
+        co_await each(pace, target.point_count(), Cost::tens_of_ns,
+                      [&](uint32_t i) { steering.styles[i] = drives.style([&](uint32_t k) { return values[k][i]; }); });
     }
     co_await each(pace, target.point_count(), Cost::tens_of_ns, [&](uint32_t i) {
         const Steered steered = drives.steer([&](uint32_t k) { return values[k][i]; });

@@ -54,6 +54,17 @@ public:
     // The largest size of a factor.
     double largest(FlgStyleDriven driven) const;
     // `value_of(k)` is what drive k is driven by.
+    // But for those of one kind.
+    StyleDrives without(FlgStyleDriven driven) const;
+    // Which style the one drive of the style says; 0 without one.
+    template <class ValueOf>
+    float style(const ValueOf& value_of) const {
+        for (uint32_t k = 0; k < count_; ++k) {
+            if (drives_[k].driven == FLG_STYLE_DRIVEN_STYLE)
+                return driven_value(drives_[k], share(drives_[k], value_of(k)));
+        }
+        return 0;
+    }
     template <class ValueOf>
     Steered steer(const ValueOf& value_of) const {
         Steered steered;
@@ -62,6 +73,9 @@ public:
     }
 
 private:
+    // How far a value is from `from` to `to`; 0 to 1.
+    static double share(const FlgStyleDrive& drive, float value);
+    static float driven_value(const FlgStyleDrive& drive, double share);
     static void drive(const FlgStyleDrive& drive, float value, Steered& steered);
 
     std::array<FlgStyleDrive, style_drives_max> drives_{};
@@ -77,6 +91,7 @@ float speed_between(const Vec3& from, const Vec3& to, double seconds);
 // Of a whole target, one a point; empty if nothing is driven.
 struct Steering {
     Buffer<Steered> points;
+    Buffer<float> styles;  // which of several; empty if that is not driven
     Buffer<float> scales;  // the same values once more, as samplers take them; empty if no scale is driven
 };
 

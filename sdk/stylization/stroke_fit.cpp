@@ -13,16 +13,16 @@ constexpr double steps_max = 0x1.0p31;
 
 }  // namespace
 
-StrokeFit fit_stroke(const PatchGraph& graph, double wanted, uint32_t steps, double fit) {
-    // Without a start cap the first sample is the style's.
-    const double caps = graph.end_cap + std::max(graph.start_cap, 1U) - 1.0;
+StrokeFit fit_stroke(const PatchGraph& graph, StrokeCaps caps, double wanted, uint32_t steps, double fit) {
     if (fit == 0) {
-        if (steps > caps || graph.caps() == 0) return {steps, 1};
-        const double needed = caps + 1;
+        // Without a start cap the first sample is the style's.
+        const double cap_steps = caps.end + std::max(caps.start, 1U) - 1.0;
+        if (steps > cap_steps || caps.start + caps.end == 0) return {steps, 1};
+        const double needed = cap_steps + 1;
         return {static_cast<uint32_t>(needed), static_cast<float>(std::min(wanted / needed, 1.0))};
     }
     const double motif = graph.motif_end() - graph.start() - 1;
-    const double fixed = graph.start_cap + graph.end_cap;
+    const double fixed = caps.start + caps.end;
     const double room = std::max(wanted - fixed, 0.0);
     const double motifs = std::max(std::floor(room / motif + 0.5), 1.0);
     const bool shorter_than_a_patch = wanted < 2 * graph.patch + 1;

@@ -19,7 +19,12 @@ struct StrokeFit {
     float across = 1;  // factor on the displacement, at most 1
 };
 
+// Points of the style's caps that a target gets.
+struct StrokeCaps {
+    uint32_t start = 0, end = 0;
+};
+
 // `wanted`: the target's length in the style's steps, above 0; `steps`: that as a whole number.
-StrokeFit fit_stroke(const PatchGraph& graph, double wanted, uint32_t steps, double fit);
+StrokeFit fit_stroke(const PatchGraph& graph, StrokeCaps caps, double wanted, uint32_t steps, double fit);
 
 }  // namespace flg

@@ -17,9 +17,6 @@ namespace {
 constexpr uint32_t last_path_max = 256;
 // Closed curves begin with so many points of the style before them, or half of a short style curve's.
 constexpr uint32_t last_path_wanted = 64;
-// The last jump has to be taken, however wide its gap is: so it is cross-faded over so many patches, but once around at
-// most.
-constexpr uint32_t last_blend_patches = 6;
 
 }  // namespace
 
@@ -88,7 +85,7 @@ void StyleWalk::take_motifs() {
     const PatchGraph& graph = trees_->graph();
     if (cap_left_ == 0) node_ = graph.start();
     motif_end_ = graph.motif_end();
-    if (graph.end_cap == 0) lead_home(motif_end_ - 1, 0, std::min(last_path_max, motif_end_ - 1 - graph.start()));
+    if (last_path_ == 0) lead_home(motif_end_ - 1, 0, std::min(last_path_max, motif_end_ - 1 - graph.start()));
 }
 
 void StyleWalk::lead_home(uint32_t node, uint32_t cap, uint32_t run_in) {
@@ -96,6 +93,46 @@ void StyleWalk::lead_home(uint32_t node, uint32_t cap, uint32_t run_in) {
     cap_ = cap;
     // The start cap, or the first sample, is not part of it.
     last_path_ = std::min(cap + run_in, samples_left_ - (std::max(cap_left_, 1U) - 1));
+}
+
+// Where along the last path the runs before and behind the jump differ least, over as many points as they are
+// cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path. The end
+// cap is not jumped into, nor copied before its time.
+uint32_t StyleWalk::copies_before_last_jump(uint32_t points, uint32_t blended,
+                                            std::span<const Vec3> displacement) const {
+    const PatchGraph& graph = trees_->graph();
+    const uint32_t end = std::min(graph.curve_end[node_], graph.node_count - graph.end_cap);
+    const uint32_t home_end = graph.curve_end[landing(0)];
+    uint32_t best = 0;
+    bool best_has_room = false;
+    double least = HUGE_VAL;
+    const uint32_t copies_end = std::min(samples_left_, before_cap() + 1);
+    for (uint32_t copies = 0; copies < copies_end && node_ + copies + 1 < end; ++copies) {
+        const uint32_t from = node_ + copies + 1, to = landing(copies);
+        const bool has_room =
+            copies >= blended && from + points < end && to + points < home_end && copies + points < before_cap();
+        if (best_has_room && !has_room) continue;
+        double difference = 0;
+        for (uint32_t probe = 0; probe <= last_blend_patches; ++probe) {
+            const uint32_t on = probe * points / last_blend_patches;
+            difference +=
+                (displacement[std::min(from + on, end - 1)] - displacement[std::min(to + on, home_end - 1)]).norm();
+        }
+        if (difference >= least && has_room == best_has_room) continue;
+        least = difference;
+        best = copies;
+        best_has_room = has_room;
+    }
+    return best;
+}
+
+// Once a curve: kept out of what each sample runs through.
+[[gnu::noinline]] void StyleWalk::go_home(uint32_t steps, std::span<const Vec3> displacement, SeamBlend& blend) {
+    const PatchGraph& graph = trees_->graph();
+    const uint32_t points = std::min(last_blend_patches * graph.patch, steps);
+    copies_ = copies_before_last_jump(points, blend.points_left(), displacement);
+    going_home_ = true;
+    blend.cross_fade(points, displacement, {graph.curve_end.data(), graph.curve_end.size()});
 }
 
 // At the last patch of a style curve, and the rest of the curve is enough for the rest of the target.
@@ -175,7 +212,8 @@ bool StyleWalk::advance(bool hot) {
 SynthesisKernel::SynthesisKernel(const SynthesisInput& input, Memory* memory)
     : input_(input),
       tree_kernel_(memory),
-      first_steered_(input.steered ? size_t{last_blend_patches} * input.trees->graph().patch + 1 : 0, memory) {}
+      first_steered_(input.steered ? size_t{StyleWalk::last_blend_patches} * input.trees->graph().patch + 1 : 0,
+                     memory) {}
 
 void SynthesisKernel::begin(const StrokeInput& stroke) {
     stroke_ = stroke;
@@ -187,20 +225,53 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     node_known_ = true;
     finishing_.reset();
     steered_.fill({.scale = stroke.across});
-    // On closed curves one more than samples: where the style is when the curve has come around.
-    const bool has_end = stroke.plan.exact_step == 0 || input_.trees->graph().end_cap > 0;
-    walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key,
-                      has_end ? stroke.plan.steps + 1 : StyleWalk::endless);
-    walk_.heat(input_.hot_trees);
-    if (stroke.plan.curve.closed && stroke.plan.steps > 0) {
-        walk_.close(input_.pin_ends ? all_displacements() : std::span<const Vec3>());
-    } else if (stroke.plan.steps > 0) {
-        walk_.begin_with_cap();
-        walk_.end_with_cap();
-        if (stroke.whole_motifs) walk_.take_motifs();
+    sizes_ = PieceSizes(stroke.plan.pieces, stroke.across_pieces, stroke.plan.curve.closed);
+    if (stroke.motifs_by_piece && !stroke.plan.pieces.empty()) {
+        begin_piece(0);
+    } else {
+        begin_walk();
     }
     blend_ = SeamBlend(input_.trees->graph().patch, input_.style->bend, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
+}
+
+void SynthesisKernel::begin_walk() {
+    const SamplingPlan& plan = stroke_.plan;
+    // On closed curves one more than samples: where the style is when the curve has come around.
+    const bool has_end = plan.exact_step == 0 || input_.trees->graph().end_cap > 0;
+    walk_ = StyleWalk(input_.trees, stroke_.from_start, input_.seed, stroke_.key,
+                      has_end ? plan.steps + 1 : StyleWalk::endless);
+    walk_.heat(input_.hot_trees);
+    if (plan.curve.closed && plan.steps > 0) {
+        walk_.close(input_.pin_ends ? all_displacements() : std::span<const Vec3>());
+    } else if (plan.steps > 0) {
+        walk_.begin_with_cap();
+        walk_.end_with_cap();
+        if (stroke_.whole_motifs) walk_.take_motifs();
+    }
+}
+
+// Steps of the walk that there is.
+uint32_t SynthesisKernel::walk_steps() const {
+    const std::span<const CurvePiece> pieces = stroke_.plan.pieces;
+    if (!stroke_.motifs_by_piece || pieces.empty()) return stroke_.plan.steps;
+    return pieces[piece_].end_step - (piece_ > 0 ? pieces[piece_ - 1].end_step : 0);
+}
+
+// The last sample of its walk is the first one of the next, where there is one.
+void SynthesisKernel::begin_piece(uint32_t piece) {
+    piece_ = piece;
+    const bool closed = stroke_.plan.curve.closed;
+    walk_ = StyleWalk(input_.trees, true, input_.seed, stroke_.key, walk_steps() + 1);
+    if (stroke_.corner_caps || (!closed && piece == 0)) walk_.begin_with_cap();
+    if (stroke_.corner_caps || (!closed && piece + 1 == stroke_.plan.pieces.size())) walk_.end_with_cap();
+    walk_.take_motifs();
+}
+
+bool SynthesisKernel::turns_corner() const {
+    const std::span<const CurvePiece> pieces = stroke_.plan.pieces;
+    if (!stroke_.motifs_by_piece || pieces.empty() || walk_.samples_left() != 1) return false;
+    return stroke_.plan.curve.closed || piece_ + 1 < pieces.size();
 }
 
 bool SynthesisKernel::run(uint32_t n) {
@@ -220,14 +291,18 @@ bool SynthesisKernel::run(uint32_t n) {
 // To the next node, unless its path tree is missing.
 bool SynthesisKernel::advance() {
     const uint32_t from = walk_.node();
+    const auto displacement = [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; };
+    if (turns_corner()) [[unlikely]] {
+        begin_piece((piece_ + 1) % static_cast<uint32_t>(stroke_.plan.pieces.size()));
+        blend_.stop_cross_fading(input_.trees->graph().patch);
+        blend_.step(from, walk_.node(), displacement);
+        return true;
+    }
     if (walk_.turns_home()) [[unlikely]] {
-        const uint32_t points = std::min(last_blend_patches * input_.trees->graph().patch, stroke_.plan.steps);
-        walk_.go_home(copies_before_last_jump(points));
-        blend_.cross_fade(points, all_displacements(),
-                          {input_.trees->graph().curve_end.data(), input_.trees->graph().curve_end.size()});
+        walk_.go_home(walk_steps(), all_displacements(), blend_);
     }
     if (!walk_.advance(is_hot())) return false;
-    blend_.step(from, walk_.node(), [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; });
+    blend_.step(from, walk_.node(), displacement);
     return true;
 }
 
@@ -236,7 +311,7 @@ void SynthesisKernel::steer_block() {
         const uint32_t segment = block_.segment[k];
         const Steered& next = stroke_.steered[stroke_.plan.curve.following(segment)];
         steered_[k] = stroke_.steered[segment].between(next, block_.t[k]);
-        steered_[k].scale *= stroke_.across;
+        steered_[k].scale *= stroke_.across * sizes_.at(written_ + k);
         if (written_ + k < first_steered_.size()) std::construct_at(&first_steered_[written_ + k], steered_[k]);
     }
 }
@@ -258,37 +333,6 @@ bool SynthesisKernel::is_hot() const {
 
 std::span<const Vec3> SynthesisKernel::all_displacements() const {
     return {input_.style->displacement.data(), input_.style->displacement.size()};
-}
-
-// Where along the last path the runs before and behind the jump differ least, over as many points as they are
-// cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path. The end
-// cap is not jumped into, nor copied before its time.
-uint32_t SynthesisKernel::copies_before_last_jump(uint32_t points) const {
-    const Buffer<Vec3>& displacement = input_.style->displacement;
-    const PatchGraph& graph = input_.trees->graph();
-    const uint32_t end = std::min(graph.curve_end[walk_.node()], graph.node_count - graph.end_cap);
-    const uint32_t home_end = graph.curve_end[walk_.landing(0)];
-    uint32_t best = 0;
-    bool best_has_room = false;
-    double least = HUGE_VAL;
-    const uint32_t copies_end = std::min(walk_.samples_left(), walk_.before_cap() + 1);
-    for (uint32_t copies = 0; copies < copies_end && walk_.node() + copies + 1 < end; ++copies) {
-        const uint32_t from = walk_.node() + copies + 1, to = walk_.landing(copies);
-        const bool has_room = copies >= blend_.points_left() && from + points < end && to + points < home_end &&
-                              copies + points < walk_.before_cap();
-        if (best_has_room && !has_room) continue;
-        double difference = 0;
-        for (uint32_t probe = 0; probe <= last_blend_patches; ++probe) {
-            const uint32_t on = probe * points / last_blend_patches;
-            difference +=
-                (displacement[std::min(from + on, end - 1)] - displacement[std::min(to + on, home_end - 1)]).norm();
-        }
-        if (difference >= least && has_room == best_has_room) continue;
-        least = difference;
-        best = copies;
-        best_has_room = has_room;
-    }
-    return best;
 }
 
 // Stands on the node of the sample to come, unless the units do not suffice for the path tree that is missing.

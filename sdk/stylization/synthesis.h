@@ -19,6 +19,7 @@
 #include <span>
 
 #include "stylization/applied_style.h"
+#include "stylization/corner_fit.h"
 #include "stylization/displaced_block.h"
 #include "stylization/finishing.h"
 #include "stylization/path_trees.h"
@@ -46,22 +47,19 @@ public:
     // style has them.
     void begin_with_cap();
     void end_with_cap();
-    // Likewise: whole motifs from the style's start on, one behind the other, the last one to its end and into the cap.
+    // Likewise: whole motifs from the style's start on, one behind the other, the last one to its end, and into the cap
+    // if it ends with it.
     void take_motifs();
 
     uint32_t node() const { return node_; }
     uint32_t samples_left() const { return samples_left_; }
     // Of a closed curve, or one with a given end, where the last path begins: go_home() comes next.
     bool turns_home() const { return samples_left_ == last_path_ && !going_home_; }
-    // The node that a jump after `copies` copied points would lead to.
-    uint32_t landing(uint32_t copies) const { return home_ - (samples_left_ - copies - 1); }
-    // Samples from here on to the end cap, all if there is none.
-    uint32_t before_cap() const { return samples_left_ - cap_; }
-    // Copies so many points, jumps, and copies up to where it began.
-    void go_home(uint32_t copies) {
-        going_home_ = true;
-        copies_ = copies;
-    }
+    // Copies on for some points, jumps, and copies up to where it began. That jump is taken however wide its gap is: so
+    // the blend's seams are cross-faded from there on, over so many patches, but over all of the curve's `steps` at
+    // most. `displacement`: the style's, which outlives the walk.
+    static constexpr uint32_t last_blend_patches = 6;
+    void go_home(uint32_t steps, std::span<const Vec3> displacement, SeamBlend& blend);
     // Copies on where that takes no decision, so many points at most; says how many.
     uint32_t copy_on(uint32_t most);
     // To the next node, by the trees or the hot ones. False if the tree to needed_tree() is missing there: make it,
@@ -72,6 +70,11 @@ public:
 private:
     void draw_destination();
     bool runs_out() const;
+    // The node that a jump after `copies` copied points would lead to.
+    uint32_t landing(uint32_t copies) const { return home_ - (samples_left_ - copies - 1); }
+    // Samples from here on to the end cap, all if there is none.
+    uint32_t before_cap() const { return samples_left_ - cap_; }
+    uint32_t copies_before_last_jump(uint32_t points, uint32_t blended, std::span<const Vec3> displacement) const;
     void lead_home(uint32_t node, uint32_t cap, uint32_t run_in);
 
     PathTrees* trees_ = nullptr;
@@ -119,6 +122,9 @@ struct StrokeInput {
     const Steered* steered = nullptr;     // at the curve's points
     float across = 1;                     // factor on the style's size beside its steps
     bool whole_motifs = false;
+    bool motifs_by_piece = false;            // from corner to corner, if the plan has pieces
+    bool corner_caps = false;                // there too
+    std::span<const float> across_pieces{};  // as `across`, of each piece; none: 1
 };
 
 // The key of stroke number `stroke` along a curve; of stroke 0 it is the curve's index, however many there are.
@@ -144,11 +150,14 @@ public:
 private:
     bool find_node(uint32_t& units);
     bool advance();
+    void begin_walk();
+    void begin_piece(uint32_t piece);
+    bool turns_corner() const;
+    uint32_t walk_steps() const;
     void steer_block();
     const Steered& steered() const;
     std::span<const Steered> first_steered() const;
     bool is_hot() const;
-    uint32_t copies_before_last_jump(uint32_t points) const;
     std::span<const Vec3> all_displacements() const;
     bool make_tree(uint32_t& units);
     bool follow_style(uint32_t& units);
@@ -175,6 +184,8 @@ private:
     StyleWalk walk_;
     SeamBlend blend_;
     StrokeInput stroke_;
+    uint32_t piece_ = 0;  // that the walk is on, if each has its own
+    PieceSizes sizes_;
     uint32_t count_ = 0;
     uint32_t written_ = 0;
     bool node_known_ = true;  // walk_ stands at the next sample's node

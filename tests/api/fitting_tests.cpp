@@ -245,6 +245,62 @@ TEST(LiveFitting, StrokesBeginWithTheStartCap) {
     EXPECT_TRUE(live.of(FLG_ATTRIBUTE_POSITION) == batch.of(FLG_ATTRIBUTE_POSITION));
 }
 
+// With an end cap: what was drawn stays, what the end makes is the batch job's.
+TEST(LiveFitting, EndedStrokesEndWithTheEndCap) {
+    for (const double start_cap : {0.0, 2.0}) {
+        for (const uint32_t samples : {60u, 250u}) {
+            LiveHost host;
+            FlgStyleDesc style = flgStyleDefaults();
+            style.point_count = 256;
+            style.style = host.create(coil());
+            style.start_cap = static_cast<float>(start_cap);
+            style.end_cap = 3;
+            host.style = host.live.style = prepare(host, style);
+            host.warm(0.5f);
+            host.live.temperature = 0.5f;
+            const FlgStyleInfo info = style_info(host, host.style);
+            ASSERT_GT(info.end_cap_points, 5u);
+            const FlgLiveStroke plain = host.begin();
+            host.push_in_bursts(plain, drawn(samples), {3, 1});
+            const LiveHost::Ended without = host.end(plain);
+            host.live.end_cap = 1;
+            const FlgLiveStroke stroke = host.begin();
+            host.push_in_bursts(stroke, drawn(samples), {3, 1});
+            const LiveHost::Ended ended = host.end(stroke);
+            FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
+            desc.style = host.style;
+            desc.target = ended.samples;
+            desc.scale = host.live.scale;
+            desc.temperature = 0.5f;
+            desc.exact_spacing = 1;
+            const Heard batch = heard_of(host.view_of(stylize(host, desc)));
+            const Heard live = heard_of(host.view_of(ended.stylized));
+            for (const FlgAttribute column :
+                 {FLG_ATTRIBUTE_STYLE_INDEX, FLG_ATTRIBUTE_POSITION, FLG_ATTRIBUTE_TANGENT, FLG_ATTRIBUTE_NORMAL}) {
+                EXPECT_TRUE(live.of(column) == batch.of(column)) << samples << " samples, column " << column;
+            }
+            EXPECT_EQ(live.of(FLG_ATTRIBUTE_STYLE_INDEX).back(), static_cast<float>(info.point_count - 1));
+            // The stroke itself is as it was drawn.
+            const Heard drawn_points = heard_of(host.view_of(without.stylized));
+            FlgCurveSetView points = flgCurveSetViewDefaults();
+            ASSERT_EQ(flgLiveStrokeGetPoints(host.context, stroke, &points), FLG_OK);
+            EXPECT_TRUE(heard_of(points) == drawn_points);
+            EXPECT_FALSE(live == drawn_points);
+            // So are the hand's radii and times.
+            EXPECT_TRUE(live.of(FLG_ATTRIBUTE_RADIUS) == drawn_points.of(FLG_ATTRIBUTE_RADIUS));
+            EXPECT_TRUE(live.of(FLG_ATTRIBUTE_TIME) == drawn_points.of(FLG_ATTRIBUTE_TIME));
+            // Recorded samples give it again.
+            FlgCurveSet replayed{};
+            FlgJob job{};
+            ASSERT_EQ(flgLiveStrokeReplay(host.context, &host.live, ended.samples, nullptr, &replayed, &job), FLG_OK)
+                << flgErrorGetMessage();
+            host.finish();
+            ASSERT_EQ(host.result_of(job), FLG_OK);
+            EXPECT_TRUE(heard_of(host.view_of(replayed)) == live);
+        }
+    }
+}
+
 TEST_F(Fitting, Refusals) {
     learn(0, 0);
     FlgStyleDesc style = flgStyleDefaults();

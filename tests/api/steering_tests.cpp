@@ -218,7 +218,7 @@ TEST_F(Steering, Refusals) {
     const float nan = NAN;
     expect_refused({{FLG_ATTRIBUTE_WIDTH, FLG_STYLE_DRIVEN_SCALE, 0, 1, 1, 2}}, "desc.drives[0].attribute is");
     expect_refused({{FLG_ATTRIBUTE_POSITION, FLG_STYLE_DRIVEN_SCALE, 0, 1, 1, 2}}, "one float");
-    expect_refused({{painted, static_cast<FlgStyleDriven>(4), 0, 1, 1, 2}}, "desc.drives[0].driven");
+    expect_refused({{painted, static_cast<FlgStyleDriven>(5), 0, 1, 1, 2}}, "desc.drives[0].driven");
     expect_refused({{painted, FLG_STYLE_DRIVEN_SCALE, 1, 1, 1, 2}}, "desc.drives[0].to");
     expect_refused({{painted, FLG_STYLE_DRIVEN_SCALE, nan, 1, 1, 2}}, "desc.drives[0].from");
     expect_refused({{painted, FLG_STYLE_DRIVEN_SCALE, 0, 1, 0, 2}}, "desc.drives[0].at_from is 0, must be above 0");

@@ -87,11 +87,21 @@ void RandomHost::stylize() {
     desc.pin_ends = chance(3);
     desc.max_points = 5000;
     if (chance(3)) desc.fit = number(0, 1);
+    desc.corners = choice<FlgStyleCorners>(3);
+    if (chance(3)) desc.corner_angle = number(0.1f, 3);
+    desc.corner_caps = chance(3);
+    desc.smooth_junctions = chance(3);
     const FlgStyleDrive drive = {
-        choice<FlgAttribute>(14), choice<FlgStyleDriven>(4), number(-1, 1), number(-1, 1), number(0, 2), number(0, 2)};
+        choice<FlgAttribute>(14), choice<FlgStyleDriven>(5), number(-1, 1), number(-1, 1), number(0, 2), number(0, 2)};
     if (chance(3)) {
         desc.drives = maybe(&drive);
         desc.drive_count = 1;
+    }
+    const auto further = any<FlgStyle>(style);
+    if (chance(3)) {
+        desc.further_styles = maybe(&further);
+        desc.further_style_count = 1;
+        desc.style_blend = number(0, 2);
     }
     odd(desc);
     returned(flgCurveSetStylize(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
@@ -105,6 +115,7 @@ void RandomHost::draw_live() {
         desc.max_samples = 8 + draw(60);
         desc.max_points = 64 + draw(400);
         desc.smoothing = chance(4) ? number(0, 0.1) : 0;
+        desc.end_cap = chance(3);
         odd(desc);
         returned(flgLiveStrokeBegin(at(), maybe(&desc), out<FlgLiveStroke>(live_stroke)));
         if (chance(8)) {

@@ -22,11 +22,12 @@ FlgCurveSet create(Calls& calls, Curves curves) {
     return set;
 }
 
-FlgStyle create_style(Calls& calls) {
+FlgStyle create_style(Calls& calls, float end_cap = 0) {
     FlgStyleDesc desc = FLG_INIT(calls, flgStyleDescInit);
     desc.style = create(calls, coil(64, 3, 2));
     desc.point_count = 64;
     desc.patch = 4;
+    desc.end_cap = end_cap;
     FlgStyle style{};
     FLG_CALL(calls, flgStyleCreate, calls.context, &desc, calls.out(style), calls.job());
     return style;
@@ -239,12 +240,27 @@ void stylize_curves(Calls& calls) {
     FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(two), calls.job());
     calls.finish();
     calls.note(two);
+    const FlgStyle other = create_style(calls);
+    desc.further_styles = &other;
+    desc.further_style_count = 1;
+    const FlgStyleDrive choice = {FLG_ATTRIBUTE_STYLE_INDEX, FLG_STYLE_DRIVEN_STYLE, 0, 40, 0, 1};
+    desc.drives = &choice;
+    desc.drive_count = 1;
+    desc.corners = FLG_STYLE_CORNERS_MOTIFS;
+    desc.corner_angle = 0.3f;
+    desc.smooth_junctions = 1;
+    desc.max_points = 20000;
+    FlgCurveSet mixed{};
+    FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(mixed), calls.job());
+    calls.finish();
+    calls.note(mixed);
 }
 
 void draw_live_strokes(Calls& calls) {
     const FlgContext context = calls.context;
     FlgLiveStrokeDesc desc = FLG_INIT(calls, flgLiveStrokeDescInit);
-    desc.style = create_style(calls);
+    desc.style = create_style(calls, 0.3f);
+    desc.end_cap = 1;
     FLG_CALL(calls, flgStyleWarm, context, desc.style, 0.0f, nullptr, calls.job());
     calls.finish();
     desc.scale = 0.3f;

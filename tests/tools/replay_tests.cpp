@@ -52,6 +52,18 @@ TEST_F(Replay, OwnTimesAndWorkersDoNotChangeTheBits) {
     EXPECT_EQ(slow, folder.read("fast.xyz"));
 }
 
+TEST_F(Replay, EndedStrokesGetTheEndCapIfWanted) {
+    folder.write("stroke.xyz", stroke());
+    const std::vector<std::string> plain = {"replay", "stroke.xyz", "--style", "builtin:loops", "--scale", "0.2",
+                                            "-o",     "plain.xyz",  "--fast",  "--caps",        "0:0.3",   "--quiet"};
+    done(plain);
+    std::vector<std::string> capped = plain;
+    capped[7] = "capped.xyz";
+    capped.emplace_back("--end-cap");
+    done(capped);
+    EXPECT_NE(folder.read("plain.xyz"), folder.read("capped.xyz"));
+}
+
 TEST_F(Replay, BreaksStrokesAtJumps) {
     std::string text = stroke();
     for (int i = 0; i < 10; ++i) text += std::to_string(50 + 0.1 * i) + " 0 0\n";

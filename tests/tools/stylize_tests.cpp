@@ -554,6 +554,70 @@ TEST_F(Stylize, EndsAreFittedToTheTarget) {
         {"--fit"});
 }
 
+constexpr const char* kSquare = "# closed\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n";
+
+TEST_F(Stylize, CornersAreMitredOrGetMotifs) {
+    folder.write("square.xyz", kSquare);
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = {"stylize",  "--style",     "builtin:zigzag", "--target", "square.xyz",
+                                        "-o",       "out.xyz",     "--scale",        "0.1",      "--quiet",
+                                        "--report", "report.json", "--save-path",    "path.txt"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    done(with({}));
+    const std::string plain = folder.read("out.xyz");
+    EXPECT_FALSE(report().at("parameters").contains("corners"));
+    done(with({"--corners", "through"}));
+    EXPECT_EQ(folder.read("out.xyz"), plain);
+    done(with({"--corners", "mitre"}));
+    EXPECT_NE(folder.read("out.xyz"), plain);
+    EXPECT_EQ(report().at("parameters").at("corners"), "mitre");
+    done(with({"--corners", "mitre", "--corner-angle", "100"}));
+    EXPECT_EQ(folder.read("out.xyz"), plain);
+    done(with({"--corners", "motif", "--fit", "0.5"}));
+    const std::vector<uint32_t> index = numbers_of<uint32_t>(folder.read("path.txt"));
+    for (size_t side = 0; side < 4; ++side) EXPECT_EQ(index[side * index.size() / 4], 0u);
+    done(with({"--corners", "motif", "--corner-caps", "--caps", "0.1:0.2"}));
+    EXPECT_EQ(report().at("parameters").at("corner_caps"), true);
+    expect_refused(with({"--corners", "round"}), 2, {"--corners"});
+    expect_refused(with({"--corner-angle", "180"}), 2, {"--corner-angle"});
+    expect_refused(with({"--smooth-junctions"}), 2, {"--smooth-junctions"});
+}
+
+TEST_F(Stylize, JunctionsOfNetworksAreSmooth) {
+    folder.write("network.xyz", "0 0 0\n1 0 0\n\n1 0 0\n2 0.2 0\n\n1 0 0\n1 1 0\n");
+    const std::vector<std::string> network = {"stylize", "--style",   "builtin:wave", "--target", "network.xyz", "-o",
+                                              "out.xyz", "--network", "--scale",      "0.02",     "--quiet"};
+    done(network);
+    const std::string plain = folder.read("out.xyz");
+    std::vector<std::string> smooth = network;
+    smooth.emplace_back("--smooth-junctions");
+    done(smooth);
+    EXPECT_NE(folder.read("out.xyz"), plain);
+}
+
+TEST_F(Stylize, SeveralStylesAreChosenAmong) {
+    std::string target = "# columns x y z pressure\n";
+    for (int i = 0; i <= 50; ++i) target += std::to_string(0.1 * i) + " 0 0 " + std::to_string(0.02 * i) + "\n";
+    folder.write("target.xyz", target);
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = {"stylize", "--style", "builtin:loops", "--target", "target.xyz", "-o",
+                                        "out.xyz", "--scale", "0.1",           "--quiet",  "--report",   "report.json"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    done(with({"--style", "builtin:zigzag", "--drive", "pressure=style:0:1", "--style-blend", "0.5"}));
+    EXPECT_EQ(report().at("parameters").at("style").size(), 2u);
+    EXPECT_EQ(report().at("parameters").at("style_blend"), 0.5);
+    const std::string mixed = folder.read("out.xyz");
+    done(with({"--style", "builtin:zigzag", "--drive", "pressure=style:0:0"}));
+    EXPECT_NE(folder.read("out.xyz"), mixed);
+    expect_refused(with({"--style", "builtin:zigzag"}), 1, {"drives the style"});
+    expect_refused(with({"--style", "builtin:zigzag", "--style-file", "s.flg"}), 2, {"--style-file"});
+    expect_refused(with({"--style-blend", "-1"}), 2, {"--style-blend"});
+}
+
 TEST_F(Stylize, FramesComeFromTheTargetsFile) {
     folder.write("style.xyz", rich_coil());
     std::string target = "# columns x y z nx ny nz\n";

@@ -54,7 +54,8 @@ void ApplyOptions::add_to(CLI::App& app, const std::map<std::string, FlgFrameMet
            "A column of the curves steers the style along them, from A where it is 0 to B where it is 1, or where it "
            "is "
            "FROM and TO: pressure, speed (else from times, m/s), radius, width, time, user0, user1, ...; WHAT is "
-           "magnitude, scale or radius, which are factors, or temperature. At most 8 (pressure=magnitude:0.2:1)")
+           "magnitude, scale or radius, which are factors, temperature, or the number of a style. At most 8 "
+           "(pressure=magnitude:0.2:1)")
         ->delimiter(',')
         ->type_name("NAME[:FROM:TO]=WHAT:A:B,...");
 }

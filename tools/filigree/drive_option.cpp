@@ -20,7 +20,8 @@ constexpr std::string_view kUser = "user";
 const std::map<std::string, FlgStyleDriven> kDriven = {{"magnitude", FLG_STYLE_DRIVEN_MAGNITUDE},
                                                        {"scale", FLG_STYLE_DRIVEN_SCALE},
                                                        {"temperature", FLG_STYLE_DRIVEN_TEMPERATURE},
-                                                       {"radius", FLG_STYLE_DRIVEN_RADIUS}};
+                                                       {"radius", FLG_STYLE_DRIVEN_RADIUS},
+                                                       {"style", FLG_STYLE_DRIVEN_STYLE}};
 
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
@@ -68,7 +69,7 @@ FlgStyleDrive parse_drive(const std::string& text) {
         throw CLI::ValidationError("--drive", "'" + text +
                                                   "' is not NAME=WHAT:A:B or NAME:FROM:TO=WHAT:A:B with NAME pressure, "
                                                   "speed, radius, width, time, user0, user1, ... and WHAT magnitude, "
-                                                  "scale, temperature or radius");
+                                                  "scale, temperature, radius or style");
     }
     const bool has_range = by->numbers.size() == 2;
     return {*column,          driven->second,  has_range ? by->numbers[0] : 0.0f, has_range ? by->numbers[1] : 1.0f,

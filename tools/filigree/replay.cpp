@@ -271,6 +271,7 @@ void describe(const Options& options, Report& report) {
     options.apply.describe(report);
     report.parameters["smoothing"] = as_written(options.live.smoothing);
     report.parameters["max_jump"] = as_written(options.live.max_jump);
+    if (options.live.end_cap != 0) report.parameters["end_cap"] = true;
     options.surface.describe(report);
 }
 
@@ -379,6 +380,9 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
     app->add_option("--max-jump", live.max_jump, "Strokes are broken where samples are further apart, metres, > 0")
         ->capture_default_str()
         ->check(above_zero());
+    app->add_flag_callback(
+        "--end-cap", [o] { o->live.end_cap = 1; },
+        "Ended strokes get the style's end cap (--caps), which strokes do not have while drawn");
     app->add_option("--radius-min", o->min_radius,
                     "Radius at pressure 0, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.001")
         ->check(at_least_zero());

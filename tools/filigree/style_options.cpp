@@ -17,6 +17,7 @@ namespace {
 
 using samples::CurveSource;
 
+constexpr size_t kMaxFurther = 7;
 constexpr uint32_t kMaxPatchSizes = 8, kMaxPatch = 1024;
 // Weight of attributes that are not lengths, where none is given: this share of the style's length for a difference of
 // 1.
@@ -98,8 +99,15 @@ StyleOptions::StyleOptions() : desc_(flgStyleDefaults()) {}
 void StyleOptions::add_to(CLI::App& app, const std::string& smoothing) {
     std::string names;
     for (const std::string& name : scenes::library_names()) names += (names.empty() ? "" : ", ") + name;
-    app.add_option("--style", style_,
-                   "The example: all curves of a file as one style, or builtin:NAME (" + names + ")");
+    app.add_option_function<std::vector<std::string>>(
+           "--style",
+           [this](const std::vector<std::string>& styles) {
+               style_ = styles.front();
+               further_.assign(styles.begin() + 1, styles.end());
+           },
+           "The example: all curves of a file as one style, or builtin:NAME (" + names +
+               "). Given several times: styles 0, 1, ... among which --drive NAME=style:A:B chooses (stylize)")
+        ->allow_extra_args(false);
     app.add_option("--style-file", style_file_,
                    "With --style: write the prepared style there. Without: read it from there, and prepare nothing")
         ->type_name("CACHE");
@@ -191,7 +199,13 @@ void StyleOptions::parse_caps(const std::string& text) {
     }
 }
 
-void StyleOptions::check_usage() const {
+void StyleOptions::check_usage(bool one) const {
+    if (one && !further_.empty()) throw UsageError("--style: strokes that are drawn have one style");
+    if (further_.size() > kMaxFurther) throw UsageError("--style: takes at most 8 styles");
+    if (!further_.empty() && (!guide_.empty() || !style_file_.empty())) {
+        throw UsageError((guide_.empty() ? "--style-file" : "--guide") +
+                         std::string(": is of one style, not of several"));
+    }
     if (style_.empty() && style_file_.empty()) {
         throw UsageError("--style is required, or --style-file with a style that was saved (filigree --help)");
     }
@@ -210,7 +224,11 @@ void StyleOptions::check_usage() const {
 }
 
 void StyleOptions::describe(Report& report) const {
-    if (!style_.empty()) report.parameters["style"] = style_;
+    if (further_.empty() && !style_.empty()) report.parameters["style"] = style_;
+    if (!further_.empty()) {
+        report.parameters["style"].push_back(style_);
+        for (const std::string& name : further_) report.parameters["style"].push_back(name);
+    }
     if (!style_file_.empty()) report.parameters["style_file"] = style_file_;
     if (style_.empty()) return;
     if (!guide_.empty()) report.parameters["guide"] = guide_;
@@ -242,10 +260,24 @@ std::vector<FlgStyleAttribute> StyleOptions::attributes(double style_length) con
 
 FlgStyle StyleOptions::start(FlgContext context, Report& report, FlgJob& out_job) const {
     out_job = {};
-    if (style_.empty()) return load(context, report);
+    return style_.empty() ? load(context, report) : learn(context, style_, report, out_job);
+}
+
+std::vector<FlgStyle> StyleOptions::start_further(FlgContext context, Report& report,
+                                                  std::vector<Pending>& jobs) const {
+    std::vector<FlgStyle> styles;
+    for (const std::string& name : further_) {
+        Pending pending = {{}, name};
+        styles.push_back(learn(context, name, report, pending.job));
+        jobs.push_back(pending);
+    }
+    return styles;
+}
+
+FlgStyle StyleOptions::learn(FlgContext context, const std::string& name, Report& report, FlgJob& out_job) const {
     FlgStyleDesc desc = desc_;
-    const CurveSource style = load_curves(style_, report);
-    desc.style = create_set(context, style.view(), style_);
+    const CurveSource style = load_curves(name, report);
+    desc.style = create_set(context, style.view(), name);
     report.counts["style_curves"] = style.view().curve_count;
     report.counts["style_curve_points"] = style.point_count();
     if (!guide_.empty()) desc.guide = create_set(context, load_curves(guide_, report).view(), guide_);
@@ -255,7 +287,7 @@ FlgStyle StyleOptions::start(FlgContext context, Report& report, FlgJob& out_job
     desc.patch_sizes = patch_sizes_.empty() ? nullptr : patch_sizes_.data();
     desc.patch_size_count = static_cast<uint32_t>(patch_sizes_.size());
     FlgStyle prepared = {};
-    check(flgStyleCreate(context, &desc, &prepared, &out_job), style_);
+    check(flgStyleCreate(context, &desc, &prepared, &out_job), name);
     return prepared;
 }
 

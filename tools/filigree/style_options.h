@@ -17,11 +17,17 @@ public:
     // `smoothing`: what the option for the guide's is called, where a command has another of that name.
     void add_to(CLI::App& app, const std::string& smoothing = "--smoothing");
 
-    // Refuses what does not go together (UsageError) and files that can't be written.
-    void check_usage() const;
+    // Refuses what does not go together (UsageError) and files that can't be written; `one`: more than one style, too.
+    void check_usage(bool one = true) const;
     void describe(Report& report) const;
     // A style that is prepared by `out_job` (null: ready at once, from the style file).
     FlgStyle start(FlgContext context, Report& report, FlgJob& out_job) const;
+    // Those behind the first, prepared alike; their jobs are appended.
+    struct Pending {
+        FlgJob job;
+        std::string subject;
+    };
+    std::vector<FlgStyle> start_further(FlgContext context, Report& report, std::vector<Pending>& jobs) const;
     // Keeps the style, ready by now, if a file is wanted.
     void save(FlgContext context, FlgStyle style, Report& report) const;
     // How long a prepared style's caps are, if it has any.
@@ -35,6 +41,7 @@ private:
         float weight;  // negative: not given
     };
 
+    FlgStyle learn(FlgContext context, const std::string& name, Report& report, FlgJob& out_job) const;
     FlgStyle load(FlgContext context, Report& report) const;
     std::vector<FlgStyleAttribute> attributes(double style_length) const;
     void parse_attributes(const std::vector<std::string>& words);
@@ -42,6 +49,7 @@ private:
     void parse_caps(const std::string& text);
 
     std::string style_, guide_, style_file_;
+    std::vector<std::string> further_;
     std::vector<Attribute> attributes_;
     std::vector<FlgPatchSize> patch_sizes_;
     FlgMetric angle_ = FLG_METRIC_AUTO;

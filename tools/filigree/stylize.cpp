@@ -10,6 +10,7 @@
 #include "choices.h"
 #include "chosen_scales.h"
 #include "command.h"
+#include "corner_options.h"
 #include "documents/failure.h"
 #include "documents/progress.h"
 #include "documents/report.h"
@@ -27,9 +28,11 @@ using samples::CurveSource;
 struct Options {
     StyleOptions style;
     ApplyOptions apply;
+    CornerOptions corners;
     std::optional<float> displacement;
     std::string target, output;
     uint32_t strokes = flgCurveSetStylizeDefaults().strokes, max_points = flgCurveSetStylizeDefaults().max_points;
+    float style_blend = flgCurveSetStylizeDefaults().style_blend;
     float fit = flgCurveSetStylizeDefaults().fit;
     bool closed = false, network = false, columns = false;
     SurfaceOptions surface;
@@ -52,6 +55,8 @@ void describe(const Options& options, Report& report) {
     report.parameters["network"] = options.network;
     report.parameters["strokes"] = options.strokes;
     if (options.fit > 0.0f) report.parameters["fit"] = as_written(options.fit);
+    options.corners.describe(report);
+    if (options.style_blend > 0.0f) report.parameters["style_blend"] = as_written(options.style_blend);
     report.parameters["columns"] = options.columns;
     options.surface.describe(report);
 }
@@ -67,7 +72,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     const StylizeOutput output{options.output,    options.save_guide, options.save_matching,
                                options.save_path, options.surface,    options.columns};
     output.check_paths();
-    options.style.check_usage();
+    options.style.check_usage(false);
     require_writable(common.report);
     Report report("stylize", common);
     describe(options, report);
@@ -80,7 +85,13 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     desc.strokes = options.strokes;
     desc.max_points = options.max_points;
     desc.fit = options.fit;
+    options.corners.set(desc);
     desc.style = options.style.start(context, report, style_job);
+    std::vector<StyleOptions::Pending> further_jobs;
+    const std::vector<FlgStyle> further = options.style.start_further(context, report, further_jobs);
+    desc.further_styles = further.empty() ? nullptr : further.data();
+    desc.further_style_count = static_cast<uint32_t>(further.size());
+    desc.style_blend = options.style_blend;
     say_step("reading " + options.target);
     const CurveSource target(options.target);
     for (const std::string& warning : target.warnings()) report.warn(target.name() + ": " + warning);
@@ -95,6 +106,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
 
     std::vector<Session::Pending> jobs;
     if (style_job.id != 0) jobs.push_back({style_job, options.style.subject()});
+    for (const StyleOptions::Pending& pending : further_jobs) jobs.push_back({pending.job, pending.subject});
     std::vector<FlgCurveGeometry> shapes;
     for (const FlgCurveGeometry shape : samples::shapes_of_strokes(target))
         shapes.insert(shapes.end(), desc.strokes, shape);
@@ -152,6 +164,11 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
                     "repeated in part to fit, at 1 only stretched; 0 = copies, cut off where the curve ends")
         ->capture_default_str()
         ->check(between_including(0.0, 1.0));
+    o->corners.add_to(*app);
+    app->add_option("--style-blend", o->style_blend,
+                    "Length of the curves over which one style turns into the next, metres, >= 0; 0 = two patches")
+        ->capture_default_str()
+        ->check(at_least_zero());
     app->add_option("--max-points", o->max_points, "Maximum points of the result; 0 = 2^31")
         ->capture_default_str()
         ->check(CLI::Range(0u, 1u << 31).description(""));

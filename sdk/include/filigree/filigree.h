@@ -615,10 +615,10 @@ typedef struct FlgStyleDesc {
     /* Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a stroke's
      * ends alone, metres along the example. Each open target begins with the one and ends with the other, once;
      * between them no jump leads into a cap. A target too short for both gets both, smaller in all directions; closed
-     * targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before the first and after the
-     * last repetition of patches that are a sixteenth of the style's points long, or `patch` if that is longer
-     * (FlgStyleInfo says how long they are; patches are compared twice for it). What is left must be long enough for
-     * two patches. Default 0. */
+     * targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0: found, as what comes
+     * before the first and after the last repetition of patches that are a sixteenth of the style's points long, or
+     * `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared twice for it). What is left
+     * must be long enough for two patches. Default 0. */
     float start_cap, end_cap;
 } FlgStyleDesc;
 
@@ -689,6 +689,8 @@ typedef enum FlgStyleDriven {
     FLG_STYLE_DRIVEN_TEMPERATURE = 2, /* temperatures in place of `temperature`, >= 0: between the two, each point goes
                                          on by a path of the one or the other, by chance, weighted. One drive at most */
     FLG_STYLE_DRIVEN_RADIUS = 3,      /* a factor on the result's RADIUS, >= 0 */
+    FLG_STYLE_DRIVEN_STYLE = 4,       /* which style: 0 is `style`, k the k-th of `further_styles`, >= 0; the nearest
+                                         one counts. One drive at most; not of live strokes */
     FLG_STYLE_DRIVEN_FORCE_32BIT = 0x7fffffff
 } FlgStyleDriven;
 
@@ -702,6 +704,18 @@ typedef struct FlgStyleDrive {
     float from, to;         /* finite, not equal; `from` may be above `to` */
     float at_from, at_to;   /* finite; see FlgStyleDriven */
 } FlgStyleDrive;
+
+/* What a style does at the corners of its targets. */
+typedef enum FlgStyleCorners {
+    FLG_STYLE_CORNERS_THROUGH = 0, /* it goes on as elsewhere */
+    FLG_STYLE_CORNERS_MITRE = 1,   /* it goes on, and both sides are cut at the plane that halves the corner: they meet
+                                      there, and neither crosses it. Close to a corner displacements slide along the
+                                      target for that; where a target leaves them no room, they get smaller */
+    FLG_STYLE_CORNERS_MOTIFS = 2,  /* whole motifs from corner to corner, fitted as `fit` says (at 0: as at 1), so that
+                                      all corners have the same phase of the style; mitred too. Closed targets without
+                                      corners are stylized as elsewhere */
+    FLG_STYLE_CORNERS_FORCE_32BIT = 0x7fffffff
+} FlgStyleCorners;
 
 typedef struct FlgCurveSetStylizeDesc {
     uint32_t struct_size;
@@ -768,6 +782,32 @@ typedef struct FlgCurveSetStylizeDesc {
      * too short for a motif gets it smaller in all directions; one shorter than a patch a whole one at any fit.
      * 0: copies, cut off where a target ends. Not with exact_spacing. Default 0. */
     float fit;
+    /* What happens at corners. Other than THROUGH, each corner gets a point of the result, closed results begin at
+     * their target's first corner, and from corner to corner there is a whole number of steps, at least 1: not with
+     * exact_spacing. Default THROUGH. */
+    FlgStyleCorners corners;
+    /* What a corner turns by at least, radians, above 0 and below pi: by more than that, and more than twice what the
+     * points next to it turn by in its direction, or by more than 1.7 times that. Smooth curves have none if they have
+     * 8 points around. Default 50 degrees. */
+    float corner_angle;
+    /* Nonzero: with FLG_STYLE_CORNERS_MOTIFS the style's caps come at corners too, as at ends: the end cap before, the
+     * start cap behind each. Default 0. */
+    uint32_t corner_caps;
+    /* Nonzero, with pin_ends: where ends of open targets are the same point, to the bit, results that go on into each
+     * other have one direction there. Ends are paired by the smallest turn, up to 60 degrees, each once; at points with
+     * more than 64 ends none are. Results are bent for it over their first 4 p points, or half of a shorter one's.
+     * Default 0. */
+    uint32_t smooth_junctions;
+    /* More styles, at most 7, among which a drive of FLG_STYLE_DRIVEN_STYLE chooses along the way; null: none. The
+     * result has the points of the style whose points are closest together; the others' displacements and attributes
+     * are interpolated between theirs. All styles must transfer the same attributes. STYLE_INDEX counts through the
+     * points of all styles, one style behind the other, and is that of the style that counts most. */
+    const FlgStyle* further_styles;
+    uint32_t further_style_count;
+    /* Over which length of the target one style turns into the next, metres, >= 0: half of it before the place where
+     * the choice changes, half behind, evenly in direction too. 0: two patches of the style whose points are farthest
+     * apart. Default 0. */
+    float style_blend;
 } FlgCurveSetStylizeDesc;
 
 FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint32_t struct_size);

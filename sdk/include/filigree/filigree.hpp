@@ -373,6 +373,9 @@ using StyleStart = FlgStyleStart;
 /// What a column of the target can drive along it.
 using StyleDriven = FlgStyleDriven;
 
+/// What a style does at the corners of its targets.
+using StyleCorners = FlgStyleCorners;
+
 /// The cross-section of a brush mesh.
 using BrushShape = FlgBrushShape;
 
@@ -1687,6 +1690,13 @@ struct CurveSetStylizeDesc : FlgCurveSetStylizeDesc {
     }
     /// A list would end before the descriptor is used.
     void set_drives(std::initializer_list<FlgStyleDrive>) = delete;
+    /// Sets further_styles and further_style_count. The array must live until the descriptor is used.
+    void set_further_styles(Span<const FlgStyle> values) {
+        further_styles = values.data();
+        further_style_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_further_styles(std::initializer_list<FlgStyle>) = delete;
 };
 
 /// What to make, and of which curves.

@@ -23,11 +23,13 @@
  *                  to half a step from those drawn, and the last run may go on to the style's end. What cannot be the
  *                  same: RADIUS and TIME, which a live stroke makes of pressure and clock, the other carries over from
  *                  its target; `smoothing`, which the samples do not have; FLG_FRAME_METHOD_SUPPLIED, where the other
- *                  takes a NORMAL column; end caps; samples nearer to each other than a thousandth of a step, of which
- *                  a live stroke takes the first; strokes shorter than a step, which have one point here and two there,
- *                  or than both caps; what passes max_points.
- * Caps             A stroke begins with its style's start cap (FlgStyleDesc). It has no end cap: points never move, and
- *                  the end is not known before it is there.
+ *                  takes a NORMAL column; end caps, unless `end_cap` is set; samples nearer to each other than a
+ *                  thousandth of a step, of which a live stroke takes the first; strokes shorter than a step, which
+ *                  have one point here and two there, or than both caps; what passes max_points.
+ * Caps             A stroke begins with its style's start cap (FlgStyleDesc). Its points get no end cap: they never
+ *                  move, and the end is not known before it is there. With `end_cap` the set that flgLiveStrokeEnd
+ *                  makes ends with it: its last points, up to 256 and the cap, are not those drawn, but
+ *                  flgCurveSetStylize's. flgLiveStrokeGetPoints, resuming and splitting go by those drawn.
  * Steering         `drives`, as flgCurveSetStylize has them: by the hand's pressure and its speed; 10 ns a point more.
  * Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
  *                  by that attribute relative to its mean over the style, and by what drives the radius.
@@ -118,7 +120,9 @@ typedef struct FlgLiveStrokeDesc {
      * temperatures of a drive. Copied by flgLiveStrokeBegin. */
     const FlgStyleDrive* drives;
     uint32_t drive_count;
-    uint32_t reserved2;
+    /* Nonzero: what flgLiveStrokeEnd and flgLiveStrokeReplay make ends with the style's end cap, see Caps. It is drawn
+     * once more for that, as a job. Default 0. */
+    uint32_t end_cap;
 } FlgLiveStrokeDesc;
 
 FLG_API FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct_size);

@@ -63,7 +63,11 @@ namespace Filigree
         /// </summary>
         public FlgStyleDrive* drives;
         public uint drive_count;
-        public uint reserved2;
+        /// <summary>
+        /// Nonzero: what flgLiveStrokeEnd and flgLiveStrokeReplay make ends with the style's end cap, see Caps. It is
+        /// drawn once more for that, as a job. Default 0.
+        /// </summary>
+        public uint end_cap;
     }
 
     /// <summary>Samples of the controller, as columns: arrays of the host, or members of an array of structs.</summary>

@@ -458,20 +458,20 @@ namespace Filigree
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
         /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
         /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
-        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
-        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
-        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
-        /// left must be long enough for two patches. Default 0.
+        /// directions; closed targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0:
+        /// found, as what comes before the first and after the last repetition of patches that are a sixteenth of the
+        /// style's points long, or `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared
+        /// twice for it). What is left must be long enough for two patches. Default 0.
         /// </summary>
         public float start_cap;
         /// <summary>
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
         /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
         /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
-        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
-        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
-        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
-        /// left must be long enough for two patches. Default 0.
+        /// directions; closed targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0:
+        /// found, as what comes before the first and after the last repetition of patches that are a sixteenth of the
+        /// style's points long, or `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared
+        /// twice for it). What is left must be long enough for two patches. Default 0.
         /// </summary>
         public float end_cap;
     }
@@ -621,6 +621,44 @@ namespace Filigree
         /// whole one at any fit. 0: copies, cut off where a target ends. Not with exact_spacing. Default 0.
         /// </summary>
         public float fit;
+        /// <summary>
+        /// What happens at corners. Other than THROUGH, each corner gets a point of the result, closed results begin at
+        /// their target's first corner, and from corner to corner there is a whole number of steps, at least 1: not
+        /// with exact_spacing. Default THROUGH.
+        /// </summary>
+        public FlgStyleCorners corners;
+        /// <summary>
+        /// What a corner turns by at least, radians, above 0 and below pi: by more than that, and more than twice what
+        /// the points next to it turn by in its direction, or by more than 1.7 times that. Smooth curves have none if
+        /// they have 8 points around. Default 50 degrees.
+        /// </summary>
+        public float corner_angle;
+        /// <summary>
+        /// Nonzero: with FlgStyleCorners.Motifs the style's caps come at corners too, as at ends: the end cap before,
+        /// the start cap behind each. Default 0.
+        /// </summary>
+        public uint corner_caps;
+        /// <summary>
+        /// Nonzero, with pin_ends: where ends of open targets are the same point, to the bit, results that go on into
+        /// each other have one direction there. Ends are paired by the smallest turn, up to 60 degrees, each once; at
+        /// points with more than 64 ends none are. Results are bent for it over their first 4 p points, or half of a
+        /// shorter one's. Default 0.
+        /// </summary>
+        public uint smooth_junctions;
+        /// <summary>
+        /// More styles, at most 7, among which a drive of FlgStyleDriven.Style chooses along the way; null: none. The
+        /// result has the points of the style whose points are closest together; the others' displacements and
+        /// attributes are interpolated between theirs. All styles must transfer the same attributes. STYLE_INDEX counts
+        /// through the points of all styles, one style behind the other, and is that of the style that counts most.
+        /// </summary>
+        public FlgStyle* further_styles;
+        public uint further_style_count;
+        /// <summary>
+        /// Over which length of the target one style turns into the next, metres, &gt;= 0: half of it before the place
+        /// where the choice changes, half behind, evenly in direction too. 0: two patches of the style whose points are
+        /// farthest apart. Default 0.
+        /// </summary>
+        public float style_blend;
     }
 
     /// <summary>In which size a style was drawn on each curve of a result.</summary>

@@ -280,6 +280,30 @@ namespace Filigree
         Temperature = 2,
         /// <summary>FLG_STYLE_DRIVEN_RADIUS: a factor on the result's RADIUS, &gt;= 0</summary>
         Radius = 3,
+        /// <summary>
+        /// FLG_STYLE_DRIVEN_STYLE: which style: 0 is `style`, k the k-th of `further_styles`, &gt;= 0; the nearest one
+        /// counts. One drive at most; not of live strokes
+        /// </summary>
+        Style = 4,
+    }
+
+    /// <summary>What a style does at the corners of its targets.</summary>
+    public enum FlgStyleCorners
+    {
+        /// <summary>FLG_STYLE_CORNERS_THROUGH: it goes on as elsewhere</summary>
+        Through = 0,
+        /// <summary>
+        /// FLG_STYLE_CORNERS_MITRE: it goes on, and both sides are cut at the plane that halves the corner: they meet
+        /// there, and neither crosses it. Close to a corner displacements slide along the target for that; where a
+        /// target leaves them no room, they get smaller
+        /// </summary>
+        Mitre = 1,
+        /// <summary>
+        /// FLG_STYLE_CORNERS_MOTIFS: whole motifs from corner to corner, fitted as `fit` says (at 0: as at 1), so that
+        /// all corners have the same phase of the style; mitred too. Closed targets without corners are stylized as
+        /// elsewhere
+        /// </summary>
+        Motifs = 2,
     }
 
     /// <summary>A running or finished piece of work.</summary>

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+// Corners of targets: where they are, mitres, whole motifs from corner to corner.
+#include "api/live_inputs.h"
+#include "api/style_inputs.h"
+
+namespace flg::test {
+namespace {
+
+using Polygon = std::vector<std::array<double, 2>>;
+
+Curves closed_polygon(const Polygon& polygon, uint32_t points_a_side = 1) {
+    Curves curves;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+        const auto& a = polygon[i];
+        const auto& b = polygon[(i + 1) % polygon.size()];
+        for (uint32_t k = 0; k < points_a_side; ++k) {
+            const double t = static_cast<double>(k) / points_a_side;
+            curves.add_point(a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0);
+        }
+    }
+    curves.end_curve(FLG_CURVE_CLOSED);
+    return curves;
+}
+
+Curves open_polygon(const Polygon& polygon) {
+    Curves curves;
+    for (const auto& p : polygon) curves.add_point(p[0], p[1], 0);
+    curves.end_curve();
+    return curves;
+}
+
+Polygon regular(size_t corners, double radius, double inner_radius) {
+    Polygon polygon;
+    for (size_t i = 0; i < corners; ++i) {
+        const double r = i % 2 == 0 ? radius : inner_radius, angle = 2 * M_PI * static_cast<double>(i) / corners;
+        polygon.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    return polygon;
+}
+
+const Polygon square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+
+// A zigzag about the x axis that ends as it begins.
+Curves zigzag() {
+    Curves curves;
+    for (int i = 0; i <= 40; ++i) curves.add_point(0.05 * i, i % 4 == 1 ? 0.1 : i % 4 == 3 ? -0.1 : 0.0, 0);
+    curves.end_curve();
+    return curves;
+}
+
+struct Position3 {
+    double x, y, z;
+};
+Position3 operator-(const Position3& a, const Position3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+double norm(const Position3& p) {
+    return std::hypot(p.x, p.y, p.z);
+}
+
+class Corners : public testing::Test {
+protected:
+    Corners() {
+        learn(0, 0);
+        desc.keep_displacement = 1;
+    }
+    void learn(float start_cap, float end_cap) {
+        FlgStyleDesc style = flgStyleDefaults();
+        style.style = host.create(zigzag());
+        Curves axis;
+        axis.add_point(0, 0, 0);
+        axis.add_point(2, 0, 0);
+        axis.end_curve();
+        style.guide = host.create(axis);
+        style.start_cap = start_cap;
+        style.end_cap = end_cap;
+        desc.style = prepare(host, style);
+    }
+    Heard along(const Curves& target) {
+        desc.target = host.create(target);
+        return heard_of(host.view_of(stylize(host, desc)));
+    }
+    static Position3 position(const Heard& heard, size_t i) {
+        const auto& p = heard.of(FLG_ATTRIBUTE_POSITION);
+        return {p[3 * i], p[3 * i + 1], p[3 * i + 2]};
+    }
+    Position3 target(const Heard& heard, size_t i) const {
+        const auto& d = heard.of(FLG_ATTRIBUTE_DISPLACEMENT);
+        const double m = desc.magnitude;
+        return position(heard, i) - Position3{m * d[3 * i], m * d[3 * i + 1], m * d[3 * i + 2]};
+    }
+    // Sample by sample, on which side of the polygon it is; every corner has one.
+    std::vector<size_t> sides(const Heard& heard, const Polygon& polygon, bool closed = true) const {
+        std::vector<size_t> side;
+        size_t now = 0;
+        const size_t count = closed ? polygon.size() : polygon.size() - 1;
+        for (size_t i = 0; i < heard.points(); ++i) {
+            const auto& next = polygon[(now + 1) % polygon.size()];
+            if (now + 1 < count && norm(target(heard, i) - Position3{next[0], next[1], 0}) < 1e-4) ++now;
+            side.push_back(now);
+        }
+        EXPECT_EQ(now + 1, count);
+        return side;
+    }
+    // Each side stays between the planes of its two corners.
+    void expect_mitred(const Heard& heard, const Polygon& polygon, bool closed) const {
+        const size_t count = polygon.size();
+        const std::vector<size_t> side = sides(heard, polygon, closed);
+        const auto plane = [&](size_t corner, const Position3& p) {
+            const auto &a = polygon[(corner + count - 1) % count], &c = polygon[corner],
+                       &b = polygon[(corner + 1) % count];
+            const double in = std::hypot(c[0] - a[0], c[1] - a[1]), out = std::hypot(b[0] - c[0], b[1] - c[1]);
+            const double nx = (c[0] - a[0]) / in + (b[0] - c[0]) / out, ny = (c[1] - a[1]) / in + (b[1] - c[1]) / out;
+            return (nx * (p.x - c[0]) + ny * (p.y - c[1])) / std::hypot(nx, ny);
+        };
+        for (size_t i = 0; i < heard.points(); ++i) {
+            const Position3 p = position(heard, i);
+            const bool is_corner = i > 0 ? side[i] != side[i - 1] : closed;
+            const size_t end = (side[i] + 1) % count;
+            if (closed || side[i] > 0) {
+                EXPECT_GE(plane(side[i], p), -1e-5) << i;
+            }
+            if (closed || side[i] + 2 < count) {
+                EXPECT_LE(plane(end, p), 1e-5) << i;
+            }
+            if (is_corner) {
+                EXPECT_NEAR(plane(side[i], p), 0, 1e-5) << i;
+            }
+        }
+    }
+
+    Host host;
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
+};
+
+TEST_F(Corners, MitresStayOnTheirSideOfThePlanes) {
+    desc.corners = FLG_STYLE_CORNERS_MITRE;
+    const Polygon star = regular(10, 3, 1.2), triangle = regular(3, 2, 2), flat = {{0, 0}, {3, 0.2}, {0, 0.4}};
+    for (const float magnitude : {0.5f, 1.0f, -3.0f, 20.0f}) {
+        desc.magnitude = magnitude;
+        for (const Polygon& polygon : {square, star, triangle, flat}) {
+            SCOPED_TRACE(testing::Message() << polygon.size() << " corners, magnitude " << magnitude);
+            expect_mitred(along(closed_polygon(polygon)), polygon, true);
+        }
+    }
+    desc.magnitude = 1;
+    const Polygon letter = {{0, 0}, {0, 3}, {2, 0}, {2, 3}};
+    expect_mitred(along(open_polygon(letter)), letter, false);
+}
+
+// Both sides of a corner meet: no step is longer than elsewhere.
+TEST_F(Corners, MitresLeaveNoGap) {
+    const auto longest_step = [](const Heard& heard) {
+        double longest = norm(position(heard, 0) - position(heard, heard.points() - 1));
+        for (size_t i = 1; i < heard.points(); ++i) {
+            longest = std::max(longest, norm(position(heard, i) - position(heard, i - 1)));
+        }
+        return longest;
+    };
+    Curves line;
+    line.add_point(0, 0, 0);
+    line.add_point(16, 0, 0);
+    line.end_curve();
+    const double elsewhere = longest_step(along(line));
+    desc.corners = FLG_STYLE_CORNERS_MITRE;
+    EXPECT_LT(longest_step(along(closed_polygon(square))), 1.5 * elsewhere);
+}
+
+TEST_F(Corners, ASquareOfMotifsHasFourEqualSides) {
+    desc.corners = FLG_STYLE_CORNERS_MOTIFS;
+    for (const uint32_t points : {1u, 7u}) {
+        const Heard heard = along(closed_polygon(square, points));
+        ASSERT_EQ(heard.points() % 4, 0u);
+        const size_t side = heard.points() / 4;
+        for (size_t i = 0; i < heard.points(); ++i) {
+            const Position3 p = position(heard, i), next = position(heard, (i + side) % heard.points());
+            EXPECT_NEAR(next.x, 4 - p.y, 1e-5) << i;
+            EXPECT_NEAR(next.y, p.x, 1e-5) << i;
+            const auto& index = heard.of(FLG_ATTRIBUTE_STYLE_INDEX);
+            EXPECT_EQ(index[i], index[(i + side) % heard.points()]) << i;
+        }
+        expect_mitred(heard, square, true);
+    }
+}
+
+TEST_F(Corners, EverySideHasTheSamePhaseHoweverLong) {
+    desc.corners = FLG_STYLE_CORNERS_MOTIFS;
+    const Polygon rectangle = {{0, 0}, {7.3, 0}, {7.3, 2.9}, {0, 2.9}};
+    for (const float fit : {0.0f, 0.01f, 1.0f}) {
+        desc.fit = fit;
+        const Heard heard = along(closed_polygon(rectangle));
+        const auto& index = heard.of(FLG_ATTRIBUTE_STYLE_INDEX);
+        const std::vector<size_t> side = sides(heard, rectangle);
+        for (size_t i = 0; i < heard.points(); ++i) {
+            if (i == 0 || side[i] != side[i - 1]) {
+                EXPECT_EQ(index[i], 0) << i;
+            }
+        }
+    }
+}
+
+TEST_F(Corners, SidesTooShortForAMotifGetASmallOne) {
+    desc.corners = FLG_STYLE_CORNERS_MOTIFS;
+    const Polygon step = {{0, 0}, {4, 0}, {4, 0.05}, {8, 0.05}};
+    const Heard heard = along(open_polygon(step));
+    const std::vector<size_t> side = sides(heard, step, false);
+    const auto& d = heard.of(FLG_ATTRIBUTE_DISPLACEMENT);
+    for (size_t i = 0; i < heard.points(); ++i) {
+        if (side[i] == 1) {
+            EXPECT_LT(std::hypot(d[3 * i], d[3 * i + 1], d[3 * i + 2]), 0.01) << i;
+        }
+    }
+}
+
+TEST_F(Corners, CapsComeAtCornersIfWanted) {
+    learn(0.2f, 0.2f);
+    const FlgStyleInfo info = style_info(host, desc.style);
+    ASSERT_GT(info.end_cap_points, 3u);
+    desc.corners = FLG_STYLE_CORNERS_MOTIFS;
+    desc.corner_caps = 1;
+    const Heard capped = along(closed_polygon(square));
+    const auto& index = capped.of(FLG_ATTRIBUTE_STYLE_INDEX);
+    const size_t side = capped.points() / 4;
+    for (size_t corner = 0; corner < 4; ++corner) {
+        for (uint32_t i = 0; i < info.start_cap_points; ++i) EXPECT_EQ(index[corner * side + i], i);
+        for (uint32_t i = 1; i < info.end_cap_points; ++i) {
+            EXPECT_EQ(index[(corner + 1) * side - i], info.point_count - 1 - i);
+        }
+    }
+    desc.corner_caps = 0;
+    const Heard bare = along(closed_polygon(square));
+    for (const float i : bare.of(FLG_ATTRIBUTE_STYLE_INDEX)) {
+        EXPECT_GE(i, info.start_cap_points);
+        EXPECT_LT(i, info.point_count - info.end_cap_points);
+    }
+}
+
+// Smooth curves have none, however coarse; nor has anything at an angle that nothing turns by.
+TEST_F(Corners, SmoothCurvesHaveNone) {
+    for (const size_t points : {8u, 12u, 100u}) {
+        const Curves circle = closed_polygon(regular(points, 2, 2));
+        desc.corners = FLG_STYLE_CORNERS_THROUGH;
+        const Heard plain = along(circle);
+        for (const auto corners : {FLG_STYLE_CORNERS_MITRE, FLG_STYLE_CORNERS_MOTIFS}) {
+            desc.corners = corners;
+            EXPECT_TRUE(along(circle) == plain) << points;
+        }
+    }
+    desc.corner_angle = 1.6f;
+    desc.corners = FLG_STYLE_CORNERS_MITRE;
+    const Heard mitred = along(closed_polygon(square));
+    desc.corners = FLG_STYLE_CORNERS_THROUGH;
+    EXPECT_TRUE(mitred == along(closed_polygon(square)));
+}
+
+// The first point is in the middle of a side: the result begins at the corner behind it.
+TEST_F(Corners, ClosedResultsBeginAtACorner) {
+    desc.corners = FLG_STYLE_CORNERS_MITRE;
+    const Heard turned = along(closed_polygon({{2, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}}));
+    EXPECT_TRUE(turned == along(closed_polygon({{0, 4}, {0, 0}, {4, 0}, {4, 4}, {2, 4}})));
+    const Position3 first = target(turned, 0);
+    EXPECT_NEAR(first.x, 0, 1e-5);
+    EXPECT_NEAR(first.y, 4, 1e-5);
+}
+
+// As fast as the style says, along the result as it is.
+TEST_F(Corners, MotionsAreTimedAlongWhatWasCut) {
+    const double speed = 2;
+    FlgStyleDesc style = flgStyleDefaults();
+    Columns example{zigzag()};
+    style.style = example.with(FLG_ATTRIBUTE_SPEED, 1, [=](uint32_t, uint32_t) { return speed; }).create(host);
+    const FlgStyleAttribute attribute{FLG_ATTRIBUTE_SPEED, FLG_METRIC_AUTO, 0, 0};
+    style.attributes = &attribute;
+    style.attribute_count = 1;
+    desc.style = prepare(host, style);
+    desc.corners = FLG_STYLE_CORNERS_MITRE;
+    const Heard heard = along(closed_polygon(square));
+    const auto& time = heard.of(FLG_ATTRIBUTE_TIME);
+    for (size_t i = 1; i < heard.points(); ++i) {
+        EXPECT_NEAR(time[i] - time[i - 1], norm(position(heard, i) - position(heard, i - 1)) / speed, 1e-5) << i;
+    }
+}
+
+TEST_F(Corners, OtherOptionsGoOnWorking) {
+    const FlgStyleDrive thinner{FLG_ATTRIBUTE_RADIUS, FLG_STYLE_DRIVEN_SCALE, 0, 1, 1, 0.5f};
+    Columns columns{closed_polygon(square, 5)};
+    columns.with(FLG_ATTRIBUTE_RADIUS, 1, [](uint32_t i, uint32_t) { return 0.05 * i; });
+    desc.target = columns.create(host);
+    desc.drives = &thinner;
+    desc.drive_count = 1;
+    desc.strokes = 2;
+    desc.pin_ends = 1;
+    for (const auto corners : {FLG_STYLE_CORNERS_MITRE, FLG_STYLE_CORNERS_MOTIFS}) {
+        desc.corners = corners;
+        for (const auto frame : {FLG_FRAME_METHOD_ROTATION_MINIMIZING, FLG_FRAME_METHOD_FRENET}) {
+            desc.frame = frame;
+            const FlgCurveSetView view = host.view_of(stylize(host, desc));
+            ASSERT_EQ(view.curve_count, 2u);
+            const float* p = flgCurveSetViewGetColumn(&view, FLG_ATTRIBUTE_POSITION)->data;
+            for (uint32_t i = 0; i < 3 * view.curve_offsets[2]; ++i) ASSERT_TRUE(std::abs(p[i]) < 6) << i;
+        }
+    }
+}
+
+TEST_F(Corners, SameBitsUnderAnyWorkersAndBudgets) {
+    std::string expected;
+    for (const uint32_t workers : {0u, 3u}) {
+        for (const uint32_t budget_us : {FLG_UNLIMITED, 300u}) {
+            Host other(workers);
+            FlgStyleDesc style = flgStyleDefaults();
+            style.style = other.create(zigzag());
+            FlgCurveSetStylizeDesc wanted = flgCurveSetStylizeDefaults();
+            ASSERT_EQ(flgStyleCreate(other.context, &style, &wanted.style, nullptr), FLG_OK);
+            Curves targets;
+            for (int c = 0; c < 60; ++c) {
+                for (int i = 0; i < 200; ++i) targets.add_point(0.3 * i, c + (i % 5 == 0 ? 0.5 : 0.0), 0.1 * (i % 3));
+                targets.end_curve(c % 2 == 0 ? FLG_CURVE_CLOSED : 0);
+            }
+            wanted.target = other.create(targets);
+            wanted.corners = FLG_STYLE_CORNERS_MITRE;
+            FlgCurveSet out{};
+            ASSERT_EQ(flgCurveSetStylize(other.context, &wanted, &out, nullptr), FLG_OK) << flgErrorGetMessage();
+            other.finish(budget_us);
+            const std::string now = bits(other.view_of(out));
+            if (expected.empty()) expected = now;
+            EXPECT_TRUE(now == expected) << workers << " workers, budget " << budget_us;
+        }
+    }
+}
+
+TEST_F(Corners, Refusals) {
+    desc.target = host.create(closed_polygon(square));
+    FlgCurveSet out{};
+    const auto expect_refused = [&](const char* words) {
+        expect_failure(flgCurveSetStylize(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT, words);
+    };
+    desc.corners = static_cast<FlgStyleCorners>(3);
+    expect_refused("desc.corners");
+    desc.corners = FLG_STYLE_CORNERS_MITRE;
+    for (const float angle : {0.0f, 3.2f, NAN}) {
+        desc.corner_angle = angle;
+        expect_refused("desc.corner_angle");
+    }
+    desc.corner_angle = 1;
+    desc.exact_spacing = 1;
+    expect_refused("exact steps do not come to corners");
+}
+
+}  // namespace
+}  // namespace flg::test
