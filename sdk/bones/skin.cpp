@@ -96,10 +96,13 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     std::pmr::vector<PlacedPart> placed(pace.memory());
     co_await inflate_parts(pace, model, bodies, placed);
     skin->mesh = co_await merge_parts(pace, placed, skin->options);
+    const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, model.tree, model.part_joints);
+    Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
+    co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t j) { parents[j] = model.tree.joints[j].parent; });
+    const BoneRig rig{bones, {parents.data(), parents.size()}};
+    skin->weights = co_await bone_weights(pace, skin->mesh, placed, rig, BoneWeightOptions());
     // One by one: all at once they would take longer to be given back than a slice may.
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
-    const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, model.tree, model.part_joints);
-    skin->weights = co_await bone_weights(pace, skin->mesh, bones, BoneWeightOptions());
     co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
 }
 
