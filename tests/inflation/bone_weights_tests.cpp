@@ -117,6 +117,27 @@ TEST(BoneWeights, NeighboursInSpaceOnly) {
     for (size_t i = 0; i < mesh.positions.size(); ++i) EXPECT_EQ(weight_of(weights, i, mesh.parts[i]), 1);
 }
 
+// A thin tail along a body, a gap away: most of the body's upper side is nearer to the tail's bones in space.
+TEST(BoneWeights, GapsOfAContourAreWaysAround) {
+    Model model;
+    model.add({{{0, 0}, {10, 0}, {10, 4}, {1, 4}, {1, 4.4}, {12, 4.4}, {12, 5}, {0.5, 5}, {0, 4.5}}},
+              placement({0, 0, 0}), 0.7);
+    model.chain({{8, 2, 0}, {2, 2, 0}, {0.6, 4.2, 0}, {3, 4.7, 0}, {7, 4.7, 0}, {11.8, 4.7, 0}}, 0.3);
+    const MergedMesh mesh = merged(model, {.vertices = 8000});
+    const BoneWeights weights = weights_of(mesh, model);
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Vec3& at = mesh.positions[i];
+        double tail = 0;
+        for (const uint32_t joint : {2u, 3u, 4u}) tail += weight_of(weights, i, joint);
+        if (at.x() > 4 && at.y() < 4.2) {
+            EXPECT_LT(tail, 0.02) << at.transpose();
+        }
+        if (at.x() > 4 && at.y() > 4.2) {
+            EXPECT_GT(tail, 0.98) << at.transpose();
+        }
+    }
+}
+
 TEST(BoneWeights, PartsWithoutBonesTakeTheNearest) {
     Model model = bar(2);
     model.add({ellipse(0, 0, 0.5, 0.5)}, placement({-2, 0.4, 0}));
