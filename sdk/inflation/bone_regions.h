@@ -24,7 +24,7 @@ public:
         std::array<uint32_t, 3> bones{};
     };
 
-    // `own`: the bones of the part, by number in `bones`. The part and all bones outlive the regions. Takes about 2 us a
+    // `own`: the bones of the part, by number in `bones`, ascending. The part outlives the regions. Takes about 2 us a
     // vertex of the part's triangulation.
     static Task<BoneRegions> make(Pace& pace, const PlacedPart& part, std::span<const BoneSegment> bones,
                                   std::span<const uint32_t> own);

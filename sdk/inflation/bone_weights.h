@@ -7,12 +7,12 @@
 // with areas M and the cotangent Laplacian L (weights of edges at least a little above zero). The matrix is an M-matrix
 // whose rows sum to M. So weights stay within [0, 1] and sum to 1 without constraints (maximum principle), one
 // factorization serves all joints and both times, and there is nothing to iterate. Twice, because that leaves no kink
-// where a bone's region ends (once is the bone heat of Baran, Popovic: Automatic rigging and animation of 3D characters,
-// 2007, turned inside out). The paper uses bounded biharmonic weights (Jacobson et al. 2011), a quadratic program a bone
-// on a mesh of tetrahedra; in tests/reference they are literal, and the tests compare.
+// where a bone's region ends (once is the bone heat of Baran, Popovic: Automatic rigging and animation of 3D
+// characters, 2007, turned inside out). The paper uses bounded biharmonic weights (Jacobson et al. 2011), a quadratic
+// program a bone on a mesh of tetrahedra; in tests/reference they are literal, and the tests compare.
 //
 // How far: sqrt(T). A joint that turns moves what is at a distance d from it by d times the angle, so the surface
-// stretches by that times the slope of the weights. Slopes are at most about 1 / (4 sqrt(T)); so wherever regions of
+// stretches by that times the slope of the weights, which is at most about 1 / (4 sqrt(T)). So wherever regions of
 // bones meet, sqrt(T) is a share of the distance to the farthest joint that moves one and not the other, and less
 // farther off. It is at least a share of the radius of the shape, and of the length of edges.
 #pragma once
