@@ -101,36 +101,42 @@ private:
     uint32_t count_ = 0;
 };
 
-// How far from a vertex the joints are that move one bone and not the other: the farthest.
+// Where joints are, and which of them move one bone and not another.
 class Pivots {
 public:
-    Pivots(const BoneRig& rig, Memory* memory) : rig_(rig), at_(joint_count(rig), memory) {
-        for (Vec3& at : at_) at = Vec3::Zero();
+    static Task<Pivots> make(Pace& pace, const BoneRig& rig) {
+        auto count = static_cast<uint32_t>(rig.joint_parents.size());
+        co_await each(pace, rig.bones.size(), Cost::some_ns,
+                      [&](uint32_t bone) { count = std::max(count, rig.bones[bone].joint + 1); });
+        Pivots pivots(rig.joint_parents, count, pace.memory());
+        co_await each(pace, count, Cost::some_ns,
+                      [&](uint32_t joint) { std::construct_at(&pivots.at_[joint], Vec3::Zero()); });
+        co_await each(pace, rig.bones.size(), Cost::some_ns,
+                      [&](uint32_t bone) { pivots.at_[rig.bones[bone].joint] = rig.bones[bone].from; });
+        co_return pivots;
     }
 
-    void add(const BoneSegment& bone) { at_[bone.joint] = bone.from; }
-    uint32_t parent(uint32_t joint) const {
-        return joint < rig_.joint_parents.size() ? rig_.joint_parents[joint] : no_joint;
-    }
-    double farthest(const Vec3& from, uint32_t a, uint32_t b) const {
+    struct Between {
+        double farthest = 0;  // from a point
+        uint32_t count = 0;
+    };
+    // Of the bones that turn with two joints.
+    Between between(uint32_t a, uint32_t b, const Vec3& from) const {
         double squared = 0;
-        while (a != b) {
+        uint32_t count = 0;
+        for (; a != b; ++count) {
             uint32_t& lower = a == no_joint || (b != no_joint && b > a) ? b : a;
             squared = std::max(squared, (from - at_[lower]).squaredNorm());
-            lower = parent(lower);
+            lower = lower < parents_.size() ? parents_[lower] : no_joint;
         }
-        return std::sqrt(squared);
+        return {std::sqrt(squared), count};
     }
 
 private:
-    static uint32_t joint_count(const BoneRig& rig) {
-        uint32_t count = static_cast<uint32_t>(rig.joint_parents.size());
-        for (const BoneSegment& bone : rig.bones) count = std::max(count, bone.joint + 1);
-        return count;
-    }
+    Pivots(std::span<const uint32_t> parents, uint32_t count, Memory* memory) : parents_(parents), at_(count, memory) {}
 
-    const BoneRig& rig_;
-    std::pmr::vector<Vec3> at_;
+    std::span<const uint32_t> parents_;
+    Buffer<Vec3> at_;
 };
 
 struct Spreading {
@@ -220,7 +226,8 @@ struct Spreading {
         for (uint32_t k = 0; k < kept && weights[k] > 0; ++k) {
             double takes[4], all = 0;
             for (uint32_t m = 0; m < 4; ++m) {
-                const double apart = above[m] > 0 ? near + pivots.farthest(position, weighed[k], weighed[m]) : 1;
+                const double apart =
+                    above[m] > 0 ? near + pivots.between(weighed[k], weighed[m], position).farthest : 1;
                 all += takes[m] = above[m] / (apart * apart);
             }
             for (uint32_t m = 0; m < 4 && all > 0; ++m) left[m] += std::min(least, weights[k]) * takes[m] / all;
@@ -313,13 +320,13 @@ Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig,
         all.spread[vertex] = distance;
         queue.push({distance, vertex});
     };
-    co_await each(pace, 3 * triangles, Cost::tens_of_ns, [&](uint32_t i) {
+    co_await each_by_work(pace, 3 * triangles, Cost::tens_of_ns, [&](uint32_t i) {
         const uint32_t v = mesh.triangles[i / 3][i % 3], w = mesh.triangles[i / 3][(i + 1) % 3];
         const uint32_t a = rig.bones[all.bone[v]].joint, b = rig.bones[all.bone[w]].joint;
-        if (a == b) return;
-        const double distance = pivots.farthest(mesh.positions[v], a, b);
-        offer(v, distance);
-        offer(w, distance);
+        const Pivots::Between between = pivots.between(a, b, mesh.positions[v]);
+        offer(v, between.farthest);
+        offer(w, between.farthest);
+        return 1 + between.count;
     });
     Slice slice(Cost::tens_of_ns);
     while (!queue.empty()) {
@@ -356,8 +363,7 @@ Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<con
     Buffer<std::array<double, 3>> cotangents(triangles, memory);
     co_await each(pace, triangles, Cost::tens_of_ns, [&](uint32_t t) { cotangents[t] = all.measure(mesh, t); });
     co_await begin_within_parts(pace, mesh, parts, rig, joints, all);
-    Pivots pivots(rig, memory);
-    co_await each(pace, rig.bones.size(), Cost::some_ns, [&](uint32_t bone) { pivots.add(rig.bones[bone]); });
+    const Pivots pivots = co_await Pivots::make(pace, rig);
     co_await choose_spread(pace, mesh, rig, pivots, options.reach, all);
 
     const LaplacianInput input{.triangles = {mesh.triangles.data(), triangles},

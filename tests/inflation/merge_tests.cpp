@@ -83,7 +83,9 @@ TEST(Merge, PartsKeptApartHangOnOthers) {
     EXPECT_EQ(all.euler, 2) << "no leg is a handle";
     EXPECT_EQ(all.components, 1u);
     for (size_t i = 0; i < mesh.positions.size(); ++i)
-        if (mesh.positions[i].y() < -1) EXPECT_GT(std::fabs(mesh.positions[i].z()), 0.5 * mesh.spacing);
+        if (mesh.positions[i].y() < -1) {
+            EXPECT_GT(std::fabs(mesh.positions[i].z()), 0.5 * mesh.spacing);
+        }
 }
 
 TEST(Merge, PartsApartAreAllKept) {
