@@ -12,6 +12,18 @@ namespace {
 static_assert(sizeof(std::array<uint16_t, 4>) == 4 * sizeof(uint16_t));
 static_assert(sizeof(std::array<float, 4>) == 4 * sizeof(float));
 
+// Whether a part's axis is on one side of the mirror: then it and its image are two things, however near they are.
+Task<bool> is_beside_mirror(Pace& pace, const HeldModel& model, const ModelPart& part) {
+    const auto& nodes = part.part->skeleton.graph.nodes;
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    co_await each(pace, nodes.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const double side = part.place(nodes[i].at).dot(model.mirror_normal) - model.mirror_offset;
+        low = std::min(low, side);
+        high = std::max(high, side);
+    });
+    co_return low > 0 || high < 0;
+}
+
 // Bodies of all parts, those that are there more than once only once.
 Task<void> inflate_parts(Pace& pace, const HeldModel& model, std::pmr::deque<PartBody>& bodies,
                          std::pmr::vector<PlacedPart>& placed) {
@@ -26,6 +38,7 @@ Task<void> inflate_parts(Pace& pace, const HeldModel& model, std::pmr::deque<Par
         PlacedPart out;
         out.part = &bodies[body].inflated;
         out.thickness = part.thickness;
+        if (part.twin != no_number && co_await is_beside_mirror(pace, model, part)) out.apart_from = part.twin;
         Eigen::Matrix<double, 3, 4> placement = part.placement;
         placement.col(3) = part.place(bodies[body].origin);
         placement.leftCols<3>() *= bodies[body].scale;
@@ -96,10 +109,13 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     std::pmr::vector<PlacedPart> placed(pace.memory());
     co_await inflate_parts(pace, model, bodies, placed);
     skin->mesh = co_await merge_parts(pace, placed, skin->options);
+    const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, model.tree, model.part_joints);
+    Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
+    co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t j) { parents[j] = model.tree.joints[j].parent; });
+    const BoneRig rig{bones, {parents.data(), parents.size()}};
+    skin->weights = co_await bone_weights(pace, skin->mesh, placed, rig, BoneWeightOptions());
     // One by one: all at once they would take longer to be given back than a slice may.
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
-    const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, model.tree, model.part_joints);
-    skin->weights = co_await bone_weights(pace, skin->mesh, bones, BoneWeightOptions());
     co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
 }
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <vector>
 
 #include "core/failure.h"
+#include "inflation/bone_regions.h"
 #include "runtime/each.h"
 
 namespace flg {
@@ -16,11 +18,14 @@ constexpr uint32_t no_column = UINT32_MAX, joint_limit = 65536;
 constexpr double min_edge_weight = 1e-3;
 // Of the radius: bones that are so much farther than the nearest have no weight to begin with.
 constexpr double soft = 0.25;
-constexpr double min_radius = 0.5;  // of the lattice's spacing: bones without one
-// Weights below it become 0; all others are less by it before they are made to sum to 1.
-constexpr double cut_off = 0.005;
+constexpr double min_radius = 0.5;   // of the lattice's spacing: bones without one
+constexpr double min_spread = 1;     // by the lattice's spacing: over some edges, however thin the shape is
+constexpr double pivot_share = 0.6;  // of the distance to a joint, by the reach
+constexpr double fading = 0.7;       // of that distance, by the way from where regions meet
+constexpr double cut_off = 0.005;    // weights below it become 0, others are less by it
+constexpr double near_share = 0.25;  // of how far weights are spread: joints that are so near are alike
 constexpr uint32_t bones_a_step = 256;
-constexpr uint32_t kept = 5;  // the largest weights of each vertex: four, and what they are above
+constexpr uint32_t kept = 12;  // the largest weights of each vertex, of which four stay
 
 void check(const BoneSegment& bone, uint32_t number) {
     if (bone.joint >= joint_limit)
@@ -59,16 +64,17 @@ Task<Joints> number_joints(Pace& pace, std::span<const BoneSegment> bones) {
 class Nearest {
 public:
     struct Near {
-        uint32_t column = 0;
+        uint32_t bone = 0, column = 0;
         double distance = 0;
         double radius = 0;
     };
 
-    void offer(const Vec3& position, const BoneSegment& bone, uint32_t column) {
+    void offer(const Vec3& position, std::span<const BoneSegment> bones, uint32_t number, uint32_t column) {
+        const BoneSegment& bone = bones[number];
         const Vec3 along = bone.to - bone.from, from = position - bone.from;
         const double length = along.squaredNorm();
         const double share = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
-        const Near near{column, (from - share * along).norm(),
+        const Near near{number, column, (from - share * along).norm(),
                         bone.from_radius + share * (bone.to_radius - bone.from_radius)};
         const auto before = [](const Near& a, const Near& b) {
             return a.distance < b.distance || (a.distance == b.distance && a.column < b.column);
@@ -95,10 +101,50 @@ private:
     uint32_t count_ = 0;
 };
 
+// Where joints are, and which of them move one bone and not another.
+class Pivots {
+public:
+    static Task<Pivots> make(Pace& pace, const BoneRig& rig) {
+        auto count = static_cast<uint32_t>(rig.joint_parents.size());
+        co_await each(pace, rig.bones.size(), Cost::some_ns,
+                      [&](uint32_t bone) { count = std::max(count, rig.bones[bone].joint + 1); });
+        Pivots pivots(rig.joint_parents, count, pace.memory());
+        co_await each(pace, count, Cost::some_ns,
+                      [&](uint32_t joint) { std::construct_at(&pivots.at_[joint], Vec3::Zero()); });
+        co_await each(pace, rig.bones.size(), Cost::some_ns,
+                      [&](uint32_t bone) { pivots.at_[rig.bones[bone].joint] = rig.bones[bone].from; });
+        co_return pivots;
+    }
+
+    struct Between {
+        double farthest = 0;  // from a point
+        uint32_t count = 0;
+    };
+    // Of the bones that turn with two joints.
+    Between between(uint32_t a, uint32_t b, const Vec3& from) const {
+        double squared = 0;
+        uint32_t count = 0;
+        for (; a != b; ++count) {
+            uint32_t& lower = a == no_joint || (b != no_joint && b > a) ? b : a;
+            squared = std::max(squared, (from - at_[lower]).squaredNorm());
+            lower = lower < parents_.size() ? parents_[lower] : no_joint;
+        }
+        return {std::sqrt(squared), count};
+    }
+
+private:
+    Pivots(std::span<const uint32_t> parents, uint32_t count, Memory* memory) : parents_(parents), at_(count, memory) {}
+
+    std::span<const uint32_t> parents_;
+    Buffer<Vec3> at_;
+};
+
 struct Spreading {
     Spreading(size_t vertices, Memory* memory)
         : area(vertices, memory),
-          radius_squared(vertices, memory),
+          bone(vertices, memory),
+          radius(vertices, memory),
+          spread(vertices, memory),
           first_columns(vertices, memory),
           first_weights(vertices, memory),
           largest(vertices, memory),
@@ -126,12 +172,12 @@ struct Spreading {
     }
 
     // What a vertex begins with.
-    void begin(uint32_t vertex, std::span<const Nearest::Near> near, double least, double reach) {
-        const double radius = std::max(near[0].radius, least);
-        radius_squared[vertex] = reach * reach * radius * radius;
+    void begin(uint32_t vertex, std::span<const Nearest::Near> near, double least) {
+        bone[vertex] = near[0].bone;
+        radius[vertex] = std::max(near[0].radius, least);
         double weights[4] = {}, sum = 0;
         for (uint32_t k = 0; k < near.size(); ++k) {
-            const double left = std::max(0.0, 1 - (near[k].distance - near[0].distance) / (soft * radius));
+            const double left = std::max(0.0, 1 - (near[k].distance - near[0].distance) / (soft * radius[vertex]));
             sum += weights[k] = left * left;
         }
         for (uint32_t k = 0; k < 4; ++k) {
@@ -146,7 +192,7 @@ struct Spreading {
         for (uint32_t k = 0; k < 4; ++k) {
             const uint32_t own = first_columns[vertex][k];
             if (own != no_column && own >= column && own < column + solve_width)
-                row[own - column] = area[vertex] * static_cast<double>(first_weights[vertex][k]);
+                row[own - column] += area[vertex] * static_cast<double>(first_weights[vertex][k]);
         }
     }
 
@@ -166,81 +212,165 @@ struct Spreading {
         }
     }
 
-    // All weights are less by the fifth, so that those that come in or go out do so at 0.
-    void finish(uint32_t vertex, BoneWeights& out) const {
-        const auto& weights = largest[vertex];
-        const double least = std::max(cut_off, static_cast<double>(weights[kept - 1]));
-        double left[4], sum = 0;
-        for (uint32_t k = 0; k < 4; ++k) sum += left[k] = std::max(0.0, weights[k] - least);
+    // Four joints at most, and continuously: those above the fifth stay, and take what is not above it of all, the
+    // more of it the nearer the joints are that make them differ.
+    void finish(uint32_t vertex, const Vec3& position, const Pivots& pivots, BoneWeights& out) const {
+        const auto& weighed = largest_joints[vertex];
+        double weights[kept];
+        for (uint32_t k = 0; k < kept; ++k)
+            weights[k] = std::max(0.0, static_cast<double>(largest[vertex][k]) - cut_off);
+        const double least = weights[4];
+        const double near = near_share * std::sqrt(spread[vertex]);
+        double above[4], left[4], sum = 0;
+        for (uint32_t m = 0; m < 4; ++m) left[m] = above[m] = weights[m] - least;
+        for (uint32_t k = 0; k < kept && weights[k] > 0; ++k) {
+            double takes[4], all = 0;
+            for (uint32_t m = 0; m < 4; ++m) {
+                const double apart =
+                    above[m] > 0 ? near + pivots.between(weighed[k], weighed[m], position).farthest : 1;
+                all += takes[m] = above[m] / (apart * apart);
+            }
+            for (uint32_t m = 0; m < 4 && all > 0; ++m) left[m] += std::min(least, weights[k]) * takes[m] / all;
+        }
+        for (const double weight : left) sum += weight;
         if (!(sum > 1e-6)) {
             // Five or more joints move it alike.
             sum = 4;
             std::fill_n(left, 4, 1.0);
         }
+        std::array<uint32_t, 4> order = {0, 1, 2, 3};
+        std::sort(order.begin(), order.end(),
+                  [&](uint32_t a, uint32_t b) { return left[a] > left[b] || (left[a] == left[b] && a < b); });
         for (uint32_t k = 0; k < 4; ++k) {
-            const auto weight = static_cast<float>(left[k] / sum);
+            const auto weight = static_cast<float>(left[order[k]] / sum);
             out.weights[vertex][k] = weight;
-            out.joints[vertex][k] = weight > 0 ? largest_joints[vertex][k] : uint16_t{0};
+            out.joints[vertex][k] = weight > 0 ? weighed[order[k]] : uint16_t{0};
         }
     }
 
-    Buffer<double> area, radius_squared;
+    Buffer<double> area;
+    Buffer<uint32_t> bone;                          // that most of a vertex begins with
+    Buffer<double> radius;                          // of the shape
+    Buffer<double> spread;                          // T
     Buffer<std::array<uint32_t, 4>> first_columns;  // of a vertex, with the weights it begins with
     Buffer<std::array<float, 4>> first_weights;
     Buffer<std::array<float, kept>> largest;
     Buffer<std::array<uint16_t, kept>> largest_joints;
 };
 
-// Each vertex looks at the bones of its part, at all bones if the part has none.
-Task<void> begin_at_nearest_bones(Pace& pace, const MergedMesh& mesh, std::span<const BoneSegment> bones,
-                                  const Joints& joints, double reach, Spreading& all) {
-    uint32_t parts = 0;
-    for (const BoneSegment& bone : bones) parts = std::max(parts, bone.part + 1);
-    const Groups of_part =
-        co_await group_by(pace, bones.size(), parts, [&](uint32_t bone) { return bones[bone].part; });
-    Buffer<uint32_t> all_bones(bones.size(), pace.memory());
-    co_await each(pace, bones.size(), Cost::some_ns, [&](uint32_t bone) { all_bones[bone] = bone; });
+// Each vertex begins with the bones of its part; with the nearest of all in space where that has none.
+Task<void> begin_within_parts(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, const BoneRig& rig,
+                              const Joints& joints, Spreading& all) {
+    const std::span<const BoneSegment> bones = rig.bones;
+    const Groups of_part = co_await group_by(pace, bones.size(), parts.size(), [&](uint32_t bone) {
+        return bones[bone].part < parts.size() ? bones[bone].part : no_key;
+    });
+    std::pmr::vector<BoneRegions> regions(pace.memory());
+    for (uint32_t part = 0; part < parts.size(); ++part)
+        regions.push_back(co_await BoneRegions::make(pace, parts[part], bones, of_part.of(part)));
     // A step is a vertex and some of the bones, as there may be many.
     const auto blocks = static_cast<uint32_t>((bones.size() + bones_a_step - 1) / bones_a_step);
-    const double least = min_radius * mesh.spacing;
+    const double least_radius = min_radius * mesh.spacing;
     Nearest nearest;
+    bool in_part = false;
     co_await each_by_work(pace, mesh.positions.size() * blocks, Cost::tens_of_ns, [&](uint32_t step) {
         const uint32_t vertex = step / blocks, block = step % blocks, part = mesh.parts[vertex];
-        std::span<const uint32_t> near(all_bones.begin(), all_bones.end());
-        if (part < parts && !of_part.of(part).empty()) near = of_part.of(part);
-        if (block == 0) nearest = {};
-        const size_t first = std::min<size_t>(size_t{block} * bones_a_step, near.size());
-        const auto some = near.subspan(first, std::min<size_t>(bones_a_step, near.size() - first));
-        for (const uint32_t bone : some)
-            nearest.offer(mesh.positions[vertex], bones[bone], joints.column_of[bones[bone].joint]);
-        if (block + 1 == blocks) all.begin(vertex, nearest.found(), least, reach);
-        return static_cast<uint32_t>(1 + some.size());
+        const auto offer = [&](uint32_t bone) {
+            nearest.offer(mesh.positions[vertex], bones, bone, joints.column_of[bones[bone].joint]);
+        };
+        uint32_t work = 8;
+        if (block == 0) {
+            nearest = {};
+            const BoneRegions::Found found = regions[part].at(mesh.positions[vertex]);
+            in_part = found.count > 0;
+            for (uint32_t k = 0; k < found.count; ++k) {
+                offer(found.bones[k]);
+                for (const uint32_t other : regions[part].next_to(found.bones[k])) offer(other);
+                work += 1 + static_cast<uint32_t>(regions[part].next_to(found.bones[k]).size());
+            }
+        }
+        if (!in_part) {
+            const uint32_t begin = block * bones_a_step;
+            const auto end = static_cast<uint32_t>(std::min<size_t>(begin + size_t{bones_a_step}, bones.size()));
+            for (uint32_t bone = begin; bone < end; ++bone) offer(bone);
+            work += end - begin;
+        }
+        if (block + 1 == blocks) all.begin(vertex, nearest.found(), least_radius);
+        return work;
+    });
+    for (; !regions.empty(); regions.pop_back()) co_await pace;
+}
+
+// T of each vertex.
+Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig, const Pivots& pivots, double reach,
+                         Spreading& all) {
+    const size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
+    const Groups corners =
+        co_await group_by(pace, 3 * triangles, vertices, [&](uint32_t i) { return mesh.triangles[i / 3][i % 3]; });
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) { all.spread[v] = 0; });
+    struct Entry {
+        double distance;
+        uint32_t vertex;
+        auto operator<=>(const Entry&) const = default;
+    };
+    std::priority_queue<Entry, std::pmr::vector<Entry>> queue(std::less<Entry>(),
+                                                              std::pmr::vector<Entry>(pace.memory()));
+    const auto offer = [&](uint32_t vertex, double distance) {
+        if (!(distance > all.spread[vertex])) return;
+        all.spread[vertex] = distance;
+        queue.push({distance, vertex});
+    };
+    co_await each_by_work(pace, 3 * triangles, Cost::tens_of_ns, [&](uint32_t i) {
+        const uint32_t v = mesh.triangles[i / 3][i % 3], w = mesh.triangles[i / 3][(i + 1) % 3];
+        const uint32_t a = rig.bones[all.bone[v]].joint, b = rig.bones[all.bone[w]].joint;
+        const Pivots::Between between = pivots.between(a, b, mesh.positions[v]);
+        offer(v, between.farthest);
+        offer(w, between.farthest);
+        return 1 + between.count;
+    });
+    Slice slice(Cost::tens_of_ns);
+    while (!queue.empty()) {
+        const auto [distance, from] = queue.top();
+        queue.pop();
+        if (slice.is_over(4)) co_await pace;
+        if (distance < all.spread[from]) continue;
+        for (const uint32_t corner : corners.of(from)) {
+            const uint32_t to = mesh.triangles[corner / 3][(corner + 1) % 3];
+            offer(to, distance - fading * (mesh.positions[to] - mesh.positions[from]).norm());
+        }
+    }
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+        const double length =
+            std::max({reach * all.radius[v], reach * pivot_share * all.spread[v], min_spread * mesh.spacing});
+        all.spread[v] = length * length;
     });
 }
 
 }  // namespace
 
-Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const BoneSegment> bones,
+Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
                                BoneWeightOptions options) {
     pace.stage("weights");
-    if (bones.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "weights: there are no bones");
+    if (rig.bones.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "weights: there are no bones");
     if (!(options.reach >= 0.05 && options.reach <= 2))
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "weights: reach is %g; it is within 0.05 and 2", options.reach);
     Memory* memory = pace.memory();
     const auto vertices = static_cast<uint32_t>(mesh.positions.size());
     const size_t triangles = mesh.triangles.size();
-    const Joints joints = co_await number_joints(pace, bones);
+    const Joints joints = co_await number_joints(pace, rig.bones);
     Spreading all(vertices, memory);
     co_await each(pace, vertices, Cost::some_ns, [&](uint32_t v) { all.clear(v); });
     Buffer<std::array<double, 3>> cotangents(triangles, memory);
     co_await each(pace, triangles, Cost::tens_of_ns, [&](uint32_t t) { cotangents[t] = all.measure(mesh, t); });
-    co_await begin_at_nearest_bones(pace, mesh, bones, joints, options.reach, all);
+    co_await begin_within_parts(pace, mesh, parts, rig, joints, all);
+    const Pivots pivots = co_await Pivots::make(pace, rig);
+    co_await choose_spread(pace, mesh, rig, pivots, options.reach, all);
 
     const LaplacianInput input{.triangles = {mesh.triangles.data(), triangles},
                                .cotangents = {cotangents.data(), triangles},
                                .row_count = vertices,
                                .mass = {all.area.data(), vertices},
-                               .scale = {all.radius_squared.data(), vertices},
+                               .scale = {all.spread.data(), vertices},
                                .min_weight = min_edge_weight};
     CholeskyFactor factor = co_await factorize_laplacian(pace, input, {mesh.positions.data(), vertices});
     cotangents = {};
@@ -263,7 +393,8 @@ Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<con
     }
     BoneWeights weights{Buffer<std::array<uint16_t, 4>>(vertices, memory),
                         Buffer<std::array<float, 4>>(vertices, memory)};
-    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) { all.finish(v, weights); });
+    co_await each(pace, vertices, Cost::microseconds,
+                  [&](uint32_t v) { all.finish(v, mesh.positions[v], pivots, weights); });
     // Large arrays are given back one by one: all at once that can take longer than a slice may.
     factor.values = {};
     co_await pace;

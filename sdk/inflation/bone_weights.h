@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
-// How much each joint moves each vertex of a surface. Each vertex begins with the nearest bone of the part that it lies
-// on; then that is spread over the surface, twice,
+// How much each joint moves each vertex of a surface. Each vertex begins with the bone of its part that is nearest
+// within the body (bone_regions.h); then that is spread over the surface, twice,
 //
-//     (M + T L) w = M w_before
+//     (M + T L) w = M w_before        w minimizes  integral of (w - w_before)^2 + T |grad w|^2
 //
-// with areas M, the cotangent Laplacian L (weights of edges at least a little above zero), and T from how thick the
-// shape is there. The matrix is an M-matrix whose rows sum to M. So weights stay within [0, 1] and sum to 1 without
-// constraints (maximum principle), one factorization serves all joints and both times, and there is nothing to iterate.
-// Twice, because that leaves no kink where a bone's region ends (once is the bone heat of Baran, Popovic: Automatic
-// rigging and animation of 3D characters, 2007, turned inside out). The paper uses bounded biharmonic weights (Jacobson
-// et al. 2011), a quadratic program a bone on a mesh of tetrahedra; in tests/reference they are literal, and the tests
-// compare.
+// with areas M and the cotangent Laplacian L (weights of edges at least a little above zero). The matrix is an M-matrix
+// whose rows sum to M. So weights stay within [0, 1] and sum to 1 without constraints (maximum principle), one
+// factorization serves all joints and both times, and there is nothing to iterate. Twice, because that leaves no kink
+// where a bone's region ends (once is the bone heat of Baran, Popovic: Automatic rigging and animation of 3D
+// characters, 2007, turned inside out). The paper uses bounded biharmonic weights (Jacobson et al. 2011), a quadratic
+// program a bone on a mesh of tetrahedra; in tests/reference they are literal, and the tests compare.
+//
+// How far: sqrt(T). A joint that turns moves what is at a distance d from it by d times the angle, so the surface
+// stretches by that times the slope of the weights, which is at most about 1 / (4 sqrt(T)). So wherever regions of
+// bones meet, sqrt(T) is a share of the distance to the farthest joint that moves one and not the other, and less
+// farther off. It is at least a share of the radius of the shape, and of the length of edges.
 #pragma once
 
 #include <array>
@@ -35,10 +39,16 @@ struct BoneWeights {
     Buffer<std::array<float, 4>> weights;
 };
 
-// For a surface whose parts have the bones' numbers. At least one bone; joints below 65536. `mesh` and what `bones`
-// shows outlive the task. Takes about 6 us a vertex, and 0.6 us a vertex for each eight joints. Throws, with a
-// sentence, if something is out of range or not finite.
-Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const BoneSegment> bones,
+// What a surface is bound to.
+struct BoneRig {
+    std::span<const BoneSegment> bones;         // at least one; joints below 65536
+    std::span<const uint32_t> joint_parents{};  // by joint, lower than its own number; no_joint: a root. Empty: all are
+};
+
+// For a surface of these parts, whose numbers the bones have. `mesh` and what the others show outlive the task. Takes
+// about 7 us a vertex, and 0.6 us a vertex for each eight joints. Throws, with a sentence, if something is out of range
+// or not finite.
+Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
                                BoneWeightOptions options);
 
 }  // namespace flg

@@ -111,6 +111,7 @@ namespace {
 
 constexpr double blend_share = 0.15;  // of the smaller radius
 constexpr double nothing = -1e30;
+constexpr double least_steep = 0.5;  // of the difference of two values, which is 2 where surfaces face each other
 // By the widest blend: how far from its box a part may be above minus the blend (outside, values are at most half the
 // distance).
 constexpr double margin_by_blend = 2.5;
@@ -122,8 +123,10 @@ constexpr uint64_t max_entries = 4'000'000;  // of the lists: parts that all rea
 Task<PartUnion> PartUnion::make(Pace& pace, std::span<const PlacedPart> placed, double blend) {
     PartUnion all(blend, pace.memory());
     all.parts_.reserve(placed.size());
+    all.apart_from_.reserve(placed.size());
     co_await each(pace, placed.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
         const ImplicitPart& part = all.parts_.emplace_back(placed[i], i);
+        all.apart_from_.push_back(placed[i].apart_from);
         all.low_ = i == 0 ? part.low() : Vec3(all.low_.cwiseMin(part.low()));
         all.high_ = i == 0 ? part.high() : Vec3(all.high_.cwiseMax(part.high()));
         all.widest_ = std::max(all.widest_, all.blend_of(i, i));
@@ -191,6 +194,21 @@ double PartUnion::blend_of(uint32_t a, uint32_t b) const {
     return blend_ >= 0 ? blend_ : blend_share * std::min(parts_[a].radius(), parts_[b].radius());
 }
 
+// Where the part ends because of one that it is kept apart from; the edge is rounded.
+ImplicitPart::Sample PartUnion::cut_off(const ImplicitPart::Sample& sample, uint32_t part, const Vec3& p) const {
+    const uint32_t other = apart_from_[part];
+    if (other >= parts_.size() || !parts_[other].reaches(p, margin_ + gap_)) return sample;
+    const ImplicitPart::Sample theirs = parts_[other].sample(p);
+    const Vec3 slope = sample.gradient - theirs.gradient;
+    const double steep = std::max(slope.norm(), least_steep);
+    const ImplicitPart::Sample cut{(sample.value - theirs.value) / steep - gap_ / 2, slope / steep};
+    const bool is_cut = cut.value < sample.value;
+    const ImplicitPart::Sample &least = is_cut ? cut : sample, &more = is_cut ? sample : cut;
+    const double blend = blend_of(part, other), share = blend > 0 ? 1 - (more.value - least.value) / blend : 0;
+    if (!(share > 0)) return least;
+    return {least.value - share * share * blend / 4, least.gradient + (more.gradient - least.gradient) * (share / 2)};
+}
+
 PartUnion::Sample PartUnion::sample(const Vec3& p) const {
     uint32_t first = 0, second = 0;
     ImplicitPart::Sample largest{nothing, Vec3::Zero()}, next = largest;
@@ -203,7 +221,8 @@ PartUnion::Sample PartUnion::sample(const Vec3& p) const {
     for (uint32_t e = offsets_[cell]; e < offsets_[cell + 1]; ++e) {
         const uint32_t i = near_[e];
         if (!parts_[i].reaches(p, margin_)) continue;
-        const ImplicitPart::Sample sample = parts_[i].sample(p);
+        ImplicitPart::Sample sample = parts_[i].sample(p);
+        if (sample.value > next.value) sample = cut_off(sample, i, p);
         if (sample.value > largest.value) {
             next = largest;
             second = first;

@@ -10,6 +10,9 @@
 // All parts as one function: the largest of their values. Where two of them cross, the edge between them may be rounded
 // off: by the blend of Quilez (smooth minimum, 2013) with a length that shrinks to 0 where the surfaces are parallel,
 // so that parts in one plane, and copies of a part, are not swollen.
+//
+// Parts that are kept apart end where both have the same value, each half a gap before it: where they overlap they
+// touch, as thighs do. What they hang on is joined with each of them: its values go on there.
 #pragma once
 
 #include <array>
@@ -27,7 +30,8 @@ struct PlacedPart {
     // Rows of a 3 x 4 matrix: (x, y, z, 1) of the part's plane, z its normal, to the model. Rotation, one scale,
     // translation, mirrored or not.
     std::array<double, 12> placement = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    double thickness = 1;  // as InflationOptions has it; the part's own does not matter here
+    double thickness = 1;              // as InflationOptions has it; the part's own does not matter here
+    uint32_t apart_from = UINT32_MAX;  // a part that it touches without becoming one with it, as that does not with it
 };
 
 class ImplicitPart {
@@ -78,6 +82,9 @@ public:
     // each of the coarse cells that it reaches into. Throws as ImplicitPart does.
     static Task<PartUnion> make(Pace& pace, std::span<const PlacedPart> parts, double blend);
 
+    // How far parts that are kept apart are from each other, at least. 0 at first.
+    void set_gap(double gap) { gap_ = gap; }
+
     std::span<const ImplicitPart> parts() const { return parts_; }
     // Far below 0 where no part is near. About 50 ns, and as much for each part that is near.
     Sample sample(const Vec3& p) const;
@@ -89,15 +96,17 @@ private:
         std::array<uint32_t, 3> first, last;
     };
 
-    PartUnion(double blend, Memory* memory) : parts_(memory), blend_(blend) {}
+    PartUnion(double blend, Memory* memory) : parts_(memory), apart_from_(memory), blend_(blend) {}
     double blend_of(uint32_t a, uint32_t b) const;
+    ImplicitPart::Sample cut_off(const ImplicitPart::Sample& sample, uint32_t part, const Vec3& p) const;
     Cells cells_of(const ImplicitPart& part) const;
     template <class Action>
     uint32_t each_cell_in_layer(uint32_t part, uint32_t layer, const Action& action) const;
 
     std::pmr::vector<ImplicitPart> parts_;
+    std::pmr::vector<uint32_t> apart_from_;  // by part
     double blend_;
-    double widest_ = 0, margin_ = 0;
+    double widest_ = 0, margin_ = 0, gap_ = 0;
     // Which parts may matter in each cell of a coarse grid over all of them.
     Vec3 low_, high_;
     double cell_ = 0;

@@ -197,6 +197,7 @@ constexpr double coarser = 2;           // the lattice that the surface is measu
 // Of the radius of the thinnest part: lattice points are so near to each other that none falls between them.
 constexpr double max_spacing = 0.8;
 constexpr uint32_t min_vertices = 100;
+constexpr double gap_cells = 1.5;  // between parts that are kept apart: no edge of the lattice reaches across
 
 // A lattice that gives about a fourth of the vertices.
 double coarse_spacing(const PartUnion& parts, uint32_t vertices) {
@@ -244,10 +245,12 @@ Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, Mer
     if (options.vertices < min_vertices)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: %u vertices asked for; a surface has %u or more",
                       options.vertices, min_vertices);
-    const PartUnion parts = co_await PartUnion::make(pace, placed, options.blend);
+    PartUnion parts = co_await PartUnion::make(pace, placed, options.blend);
     const double coarse = coarse_spacing(parts, options.vertices);
+    parts.set_gap(gap_cells * coarse / coarser);
     const uint32_t counted = co_await count_vertices(pace, parts, coarse);
     const double spacing = fine_spacing(parts, coarse, counted, options);
+    parts.set_gap(gap_cells * spacing);
     DualSurface surface = co_await surface_on_lattice(pace, parts, spacing);
     const Buffer<PartUnion::Sample> samples =
         co_await improve_mesh(pace, parts, spacing, surface.positions, surface.triangles);

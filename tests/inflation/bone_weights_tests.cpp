@@ -32,7 +32,7 @@ TEST(BoneWeights, WithinBoundsAndSumToOne) {
     const Model model = animal();
     const MergedMesh mesh = merged(model, {.vertices = 4000});
     for (const double reach : {0.05, 0.4, 2.0}) {
-        const BoneWeights weights = weights_of(mesh, model.bones, {.reach = reach});
+        const BoneWeights weights = weights_of(mesh, model, {.reach = reach});
         ASSERT_EQ(weights.weights.size(), mesh.positions.size());
         std::vector<double> most(model.bones.size());
         for (size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -63,7 +63,7 @@ TEST(BoneWeights, WithinBoundsAndSumToOne) {
 TEST(BoneWeights, BarOfTwoBones) {
     const Model model = bar(2);
     const MergedMesh mesh = merged(model, {.vertices = 3000});
-    const BoneWeights weights = weights_of(mesh, model.bones);
+    const BoneWeights weights = weights_of(mesh, model);
     constexpr int slices = 40;
     std::array<double, slices> sums{}, counts{};
     double spread = 0;
@@ -93,7 +93,7 @@ TEST(BoneWeights, BarOfTwoBones) {
 TEST(BoneWeights, FarBonesHaveNone) {
     const Model model = bar(8);
     const MergedMesh mesh = merged(model, {.vertices = 3000});
-    const BoneWeights weights = weights_of(mesh, model.bones, {.reach = 0.15});
+    const BoneWeights weights = weights_of(mesh, model, {.reach = 0.15});
     for (size_t i = 0; i < mesh.positions.size(); ++i)
         for (uint32_t joint = 0; joint < 8; ++joint) {
             const BoneSegment& bone = model.bones[joint];
@@ -113,15 +113,36 @@ TEST(BoneWeights, NeighboursInSpaceOnly) {
     model.repeat(0, placement({0, 0.75, 0}));
     model.chain({{-1, 0, 0}, {1, 0, 0}}, 0.3);
     const MergedMesh mesh = merged(model, {.vertices = 4000});
-    const BoneWeights weights = weights_of(mesh, model.bones);
+    const BoneWeights weights = weights_of(mesh, model);
     for (size_t i = 0; i < mesh.positions.size(); ++i) EXPECT_EQ(weight_of(weights, i, mesh.parts[i]), 1);
+}
+
+// A thin tail along a body, a gap away: most of the body's upper side is nearer to the tail's bones in space.
+TEST(BoneWeights, GapsOfAContourAreWaysAround) {
+    Model model;
+    model.add({{{0, 0}, {10, 0}, {10, 4}, {1, 4}, {1, 4.4}, {12, 4.4}, {12, 5}, {0.5, 5}, {0, 4.5}}},
+              placement({0, 0, 0}), 0.7);
+    model.chain({{8, 2, 0}, {2, 2, 0}, {0.6, 4.2, 0}, {3, 4.7, 0}, {7, 4.7, 0}, {11.8, 4.7, 0}}, 0.3);
+    const MergedMesh mesh = merged(model, {.vertices = 8000});
+    const BoneWeights weights = weights_of(mesh, model);
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Vec3& at = mesh.positions[i];
+        double tail = 0;
+        for (const uint32_t joint : {2u, 3u, 4u}) tail += weight_of(weights, i, joint);
+        if (at.x() > 6 && at.y() < 4.2) {
+            EXPECT_LT(tail, 0.02) << at.transpose();
+        }
+        if (at.x() > 6 && at.y() > 4.2) {
+            EXPECT_GT(tail, 0.98) << at.transpose();
+        }
+    }
 }
 
 TEST(BoneWeights, PartsWithoutBonesTakeTheNearest) {
     Model model = bar(2);
     model.add({ellipse(0, 0, 0.5, 0.5)}, placement({-2, 0.4, 0}));
     const MergedMesh mesh = merged(model, {.vertices = 2000});
-    const BoneWeights weights = weights_of(mesh, model.bones);
+    const BoneWeights weights = weights_of(mesh, model);
     for (size_t i = 0; i < mesh.positions.size(); ++i)
         if (mesh.parts[i] == 1) {
             EXPECT_EQ(weight_of(weights, i, 0), 1);
@@ -131,16 +152,18 @@ TEST(BoneWeights, PartsWithoutBonesTakeTheNearest) {
 TEST(BoneWeights, MirroredModelsHaveMirroredWeights) {
     Model model;
     model.add({ellipse(0, 0, 1.2, 0.6)}, placement({0, 0, 0}));
-    model.chain({{-0.8, 0, 0}, {0, 0, 0}, {0.8, 0, 0}}, 0.5);
+    model.chain({{0, 0, 0}, {-0.8, 0, 0}}, 0.5);
+    model.chain({{0, 0, 0}, {0.8, 0, 0}}, 0.5);
     const Rings leg = {capsule(0, 0, 0.2, 0.1, -1, 0.14)};
     const std::vector<Vec3> points = {{0, 0, 0}, {0.05, -0.5, 0}, {0.1, -1, 0}};
     model.add(leg, placement({0.7, -0.3, 0}));
     model.chain(points, 0.17);
     model.repeat(1, placement({-0.7, -0.3, 0}, 1, 0, Vec3::UnitY(), true));
     model.chain(points, 0.17);
+    model.joint_parents.clear();  // a tree would begin on one side
     const uint32_t twin[] = {1, 0, 4, 5, 2, 3};
     const MergedMesh mesh = merged(model, {.vertices = 3000});
-    const BoneWeights weights = weights_of(mesh, model.bones);
+    const BoneWeights weights = weights_of(mesh, model);
     double furthest = 0, largest = 0, sum = 0;
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
         const Vec3 image(-mesh.positions[i].x(), mesh.positions[i].y(), mesh.positions[i].z());
@@ -176,7 +199,7 @@ Compared compare(const Model& model, double reach) {
     same.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
     const auto n = static_cast<Eigen::Index>(mesh.positions.size());
     const auto bones = static_cast<int>(model.bones.size());
-    const BoneWeights weights = weights_of(mesh, model.bones, {.reach = reach});
+    const BoneWeights weights = weights_of(mesh, model, {.reach = reach});
     std::vector<int> handle(mesh.positions.size(), -1);
     Eigen::MatrixXd ours(n, bones), nearest = Eigen::MatrixXd::Zero(n, bones);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -231,15 +254,15 @@ TEST(BoneWeights, AsSmoothAcrossParts) {
 TEST(BoneWeights, SameBitsWithPauses) {
     const Model model = animal();
     const MergedMesh mesh = merged(model, {.vertices = 2000});
-    const BoneWeights a = weights_of(mesh, model.bones), b = weights_of(mesh, model.bones, {}, true);
+    const BoneWeights a = weights_of(mesh, model), b = weights_of(mesh, model, {}, true);
     EXPECT_TRUE(std::equal(a.weights.begin(), a.weights.end(), b.weights.begin(), b.weights.end()));
     EXPECT_TRUE(std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end()));
 }
 
-std::string refusal(const MergedMesh& mesh, const std::vector<BoneSegment>& bones,
+std::string refusal(const MergedMesh& mesh, const Model& model, const std::vector<BoneSegment>& bones,
                     const BoneWeightOptions& options = {}) {
     try {
-        weights_of(mesh, bones, options);
+        made([&](Pace& pace) { return bone_weights(pace, mesh, model.parts, {bones}, options); }, false);
     } catch (const Failure& failure) {
         return failure.what();
     }
@@ -249,17 +272,17 @@ std::string refusal(const MergedMesh& mesh, const std::vector<BoneSegment>& bone
 TEST(BoneWeights, BadInputIsRefused) {
     const Model model = bar(2);
     const MergedMesh mesh = merged(model, {.vertices = 200});
-    EXPECT_EQ(refusal(mesh, {}), "weights: there are no bones");
-    EXPECT_EQ(refusal(mesh, model.bones, {.reach = 3}), "weights: reach is 3; it is within 0.05 and 2");
+    EXPECT_EQ(refusal(mesh, model, {}), "weights: there are no bones");
+    EXPECT_EQ(refusal(mesh, model, model.bones, {.reach = 3}), "weights: reach is 3; it is within 0.05 and 2");
     auto bones = model.bones;
     bones[1].joint = 65536;
-    EXPECT_EQ(refusal(mesh, bones), "weights: bone 1 belongs to joint 65536; there are at most 65536");
+    EXPECT_EQ(refusal(mesh, model, bones), "weights: bone 1 belongs to joint 65536; there are at most 65536");
     bones = model.bones;
     bones[0].to.y() = std::nan("");
-    EXPECT_EQ(refusal(mesh, bones), "weights: bone 0 has an end or a radius that is not finite, or below 0");
+    EXPECT_EQ(refusal(mesh, model, bones), "weights: bone 0 has an end or a radius that is not finite, or below 0");
     bones = model.bones;
     bones[1].to_radius = -1;
-    EXPECT_EQ(refusal(mesh, bones), "weights: bone 1 has an end or a radius that is not finite, or below 0");
+    EXPECT_EQ(refusal(mesh, model, bones), "weights: bone 1 has an end or a radius that is not finite, or below 0");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Skinned skinned(const Rings& rings, bool haltingly) {
     placed[0].part = &all.part;
     all.mesh = made([&](Pace& pace) { return merge_parts(pace, placed, {.vertices = 1000}); }, haltingly);
     const BoneSegment bones[] = {{{-1, 0, 0}, {0, 0, 0}, 0.4, 0.4, 0, 0}, {{0, 0, 0}, {1, 0, 0}, 0.4, 0.4, 1, 0}};
-    all.weights = weights_of(all.mesh, bones, {}, haltingly);
+    all.weights = made([&](Pace& pace) { return bone_weights(pace, all.mesh, placed, {bones}, {}); }, haltingly);
     return all;
 }
 

@@ -51,6 +51,43 @@ TEST(Merge, TwoBallsThatMeet) {
     EXPECT_LT(round.volume, sharp.volume + 0.1);
 }
 
+// They overlap, and end half-way: two closed pieces with a gap in between.
+TEST(Merge, PartsKeptApartTouchWithoutBecomingOne) {
+    Model model;
+    model.add(disc, placement({-0.6, 0, 0}));
+    model.repeat(0, placement({0.6, 0, 0}));
+    model.parts[0].apart_from = 1;
+    model.parts[1].apart_from = 0;
+    const MergedMesh mesh = merged(model, {.vertices = 4000});
+    const ClosedMesh both = checked(mesh);
+    EXPECT_EQ(both.fault, "");
+    EXPECT_EQ(both.euler, 4);
+    EXPECT_EQ(both.components, 2u);
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const double side = mesh.parts[i] == 0 ? -1 : 1;
+        EXPECT_GT(side * mesh.positions[i].x(), 0.5 * mesh.spacing);
+    }
+}
+
+// What they hang on holds them together, as a body does legs.
+TEST(Merge, PartsKeptApartHangOnOthers) {
+    Model model;
+    model.add({ellipse(0, 0, 1.2, 0.7)}, placement({0, 0, 0}));
+    model.add({capsule(0, 0, 0.3, 0, -1.5, 0.25)}, placement({0, -0.2, 0.2}), 0.75);
+    model.repeat(1, placement({0, -0.2, -0.2}));
+    model.parts[1].apart_from = 2;
+    model.parts[2].apart_from = 1;
+    const MergedMesh mesh = merged(model, {.vertices = 6000});
+    const ClosedMesh all = checked(mesh);
+    EXPECT_EQ(all.fault, "");
+    EXPECT_EQ(all.euler, 2) << "no leg is a handle";
+    EXPECT_EQ(all.components, 1u);
+    for (size_t i = 0; i < mesh.positions.size(); ++i)
+        if (mesh.positions[i].y() < -1) {
+            EXPECT_GT(std::fabs(mesh.positions[i].z()), 0.5 * mesh.spacing);
+        }
+}
+
 TEST(Merge, PartsApartAreAllKept) {
     Model model;
     model.add(disc, placement({-1.5, 0, 0}));

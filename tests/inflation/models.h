@@ -2,6 +2,7 @@
 // Parts in their places, for the tests, and what is made of them.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 
 #include "inflation/bone_weights.h"
@@ -22,7 +23,9 @@ struct Model {
     std::deque<InflatedPart> shapes;
     std::vector<PlacedPart> parts;
     std::vector<BoneSegment> bones;
+    std::vector<uint32_t> joint_parents;  // the first of each chain turns with the nearest bone before
 
+    BoneRig rig() const { return {bones, joint_parents}; }
     void add(const Rings& rings, const std::array<double, 12>& place, double thickness = 1) {
         shapes.push_back(part_of(rings));
         parts.push_back({&shapes.back(), place, thickness});
@@ -34,9 +37,17 @@ struct Model {
     void chain(const std::vector<Vec3>& points, double radius) {
         const auto part = static_cast<uint32_t>(parts.size() - 1);
         const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> m(parts.back().placement.data());
-        for (size_t i = 0; i + 1 < points.size(); ++i)
+        const Vec3 begin = m * points[0].homogeneous();
+        const auto from_begin = [&](const BoneSegment& bone) { return ((bone.from + bone.to) / 2 - begin).norm(); };
+        const auto nearest = std::min_element(
+            bones.begin(), bones.end(), [&](const auto& a, const auto& b) { return from_begin(a) < from_begin(b); });
+        uint32_t parent = bones.empty() ? no_joint : nearest->joint;
+        for (size_t i = 0; i + 1 < points.size(); ++i) {
+            joint_parents.push_back(parent);
+            parent = static_cast<uint32_t>(bones.size());
             bones.push_back({m * points[i].homogeneous(), m * points[i + 1].homogeneous(), radius, radius,
                              static_cast<uint32_t>(bones.size()), part});
+        }
     }
 };
 
@@ -44,9 +55,9 @@ inline MergedMesh merged(const Model& model, const MergeOptions& options = {}, b
     return made([&](Pace& pace) { return merge_parts(pace, model.parts, options); }, haltingly);
 }
 
-inline BoneWeights weights_of(const MergedMesh& mesh, std::span<const BoneSegment> bones,
-                              const BoneWeightOptions& options = {}, bool haltingly = false) {
-    return made([&](Pace& pace) { return bone_weights(pace, mesh, bones, options); }, haltingly);
+inline BoneWeights weights_of(const MergedMesh& mesh, const Model& model, const BoneWeightOptions& options = {},
+                              bool haltingly = false) {
+    return made([&](Pace& pace) { return bone_weights(pace, mesh, model.parts, model.rig(), options); }, haltingly);
 }
 
 // A body with a head, four legs, a tail and an ear, symmetric but for the last three.

@@ -192,8 +192,9 @@ std::vector<Row> run_inflation() {
         inflate_ms.push_back(time_ms([&] { inflate(all, inflating); }));
         merge_ms.push_back(
             time_ms([&] { mesh = merging.run([&](Pace& pace) { return merge_parts(pace, all.parts, {}); }); }));
-        weights_ms.push_back(time_ms(
-            [&] { weights = weighing.run([&](Pace& pace) { return bone_weights(pace, mesh, all.bones, {}); }); }));
+        weights_ms.push_back(time_ms([&] {
+            weights = weighing.run([&](Pace& pace) { return bone_weights(pace, mesh, all.parts, {all.bones}, {}); });
+        }));
         sum_ms.push_back(inflate_ms.back() + merge_ms.back() + weights_ms.back());
     }
     for (const InflatedPart& part : all.shapes) plane_vertices += part.points.size();

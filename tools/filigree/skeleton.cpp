@@ -3,6 +3,7 @@
 #include "command.h"
 #include "documents/extensions.h"
 #include "documents/failure.h"
+#include "documents/rig_quality.h"
 #include "documents/test_motion.h"
 #include "documents/text_file.h"
 #include "filigree/filigree_io.h"
@@ -68,7 +69,7 @@ Json bones_json(const FlgModelView& view) {
 }
 
 void write_skin(const Options& options, Session& session, const ModelDrawing& drawing, FlgModel model,
-                const FlgModelView& bones, Report& report) {
+                const FlgModelView& bones, bool is_reported, Report& report) {
     FlgSkinDesc desc = flgSkinDefaults();
     desc.model = model;
     desc.vertex_count = options.vertices;
@@ -80,6 +81,12 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
     check(flgSkinGetView(session.context(), skin, &view), options.output);
     report.counts["vertices"] = view.vertex_count;
     report.counts["triangles"] = view.triangle_count;
+    if (is_reported) {
+        const RigQuality rig = measure_rig(view);
+        report.quality["largest_stretch"] = rig.largest_stretch;
+        report.quality["stretched_by"] = view.joint_names[rig.stretch_joint];
+        report.quality["largest_weight_jump"] = rig.largest_jump;
+    }
     const TestMotion motion = make_test_motion(bones, drawing);
     const FlgSkinAnimation animation = motion.animation();
     std::vector<FlgMeshMaterial> materials;
@@ -114,7 +121,7 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
     report.counts["parts"] = view.part_count;
     report.counts["joints"] = view.joint_count;
     if (!options.bones.empty()) write_text_file(options.bones, bones_json(view).dump(1) + "\n");
-    if (!options.output.empty()) write_skin(options, session, drawing, model, view, report);
+    if (!options.output.empty()) write_skin(options, session, drawing, model, view, !common.report.empty(), report);
     report.write();
 }
 

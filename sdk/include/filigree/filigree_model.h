@@ -189,7 +189,8 @@ typedef struct FlgModelPart {
                              scale, translation, optional mirroring. Default: as drawn */
     float thickness;      /* depth of the part relative to the paper's inflation: 0.01 to 100, default 1; a disc
                              becomes a ball */
-    /* Overlapping parts become one piece, and their weights blend: keep legs that should move separately apart. */
+    /* Overlapping parts become one piece, and their weights blend: keep legs that should move separately apart. A part
+     * and its mirror image are kept apart where the part's axis is on one side of the mirror. */
     uint32_t mirrored;                   /* nonzero: adds a copy mirrored at desc.mirror; names end with .L and .R,
                                             .L on the side of the plane's normal. Default 0 */
     const FlgBoneThresholds* thresholds; /* null: the model's */
