@@ -61,11 +61,13 @@ struct AxisBranch {
 };
 
 struct PartSkeleton {
-    explicit PartSkeleton(Memory* memory) : graph(memory), branches(memory), samples(memory) {}
+    explicit PartSkeleton(Memory* memory) : graph(memory), branches(memory), samples(memory), twins(memory) {}
 
     AxisGraph graph;
     std::pmr::vector<AxisBranch> branches;  // none where the axis is a single node
     std::pmr::vector<AxisSample> samples;
+    // Where the shape is its own mirror image: by branch its image, itself: on the mirror axis. None: it is not.
+    std::pmr::vector<uint32_t> twins;
 };
 
 // Samples are `spacing` apart at most. Takes about 5 ns a sample and edge of the contour.

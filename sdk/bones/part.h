@@ -30,6 +30,9 @@ public:
     Contour outline;                    // what the axis was made of
     PartSkeleton skeleton;
     double length = 0;  // of ring 0, drawn, but three times the diagonal of its box at most
+    double area = 0;    // within the outline
+    double widest = 0;  // clearance of the axis
+    Point2 centroid{};  // of the area
 
     const Contour& line() const { return spacing > 0 ? even : drawn; }
     void warn(const Host& host) const noexcept override { change.warn(host, "part", handle); }
