@@ -10,7 +10,7 @@
 namespace flg {
 namespace {
 
-constexpr double bones_a_doubling = 0.9;      // of a bone's length by its width
+constexpr double bones_a_doubling = 0.75;     // of a bone's length by its width
 constexpr double window = 0.3;                // of a piece: so far a joint may be from the even place
 constexpr double evenness = 0.2;              // of the radius: what an elbow is deeper by than the even place
 constexpr double same_length = 1.25, same_width = 1.5;  // of equal limbs

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "bones/mirrored_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/each.h"
+
+namespace flg {
+namespace {
+
+constexpr uint32_t none = UINT32_MAX;
+constexpr double across = 0.5, alike = 0.25;  // of a node's clearance
+constexpr double same_place = 1e-7;           // of a node's clearance
+
+enum class Side : uint8_t { left, on, right };
+
+// The left half: nodes to the left, then those on the axis, and what is between them.
+struct Half {
+    explicit Half(Memory* memory) : graph(memory), is_on(memory) {}
+    AxisGraph graph;
+    std::pmr::vector<bool> is_on;
+
+    uint32_t add(const AxisNode& node, bool on) {
+        graph.nodes.push_back(node);
+        is_on.push_back(on);
+        return static_cast<uint32_t>(graph.nodes.size()) - 1;
+    }
+};
+
+bool has_image(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node) {
+    const AxisNode& n = graph.nodes[node];
+    const Point2 image = mirror.image(n.at);
+    for (uint32_t i = 0; i < graph.nodes.size(); ++i)
+        if (i != node && distance(graph.nodes[i].at, image) <= alike * n.clearance) return true;
+    return false;
+}
+
+Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node) {
+    const AxisNode& n = graph.nodes[node];
+    const double side = mirror.side(n.at);
+    if (std::abs(side) <= same_place * n.clearance) return Side::on;
+    if (std::abs(side) <= across * n.clearance && !has_image(graph, mirror, node)) return Side::on;
+    return side > 0 ? Side::left : Side::right;
+}
+
+bool is_tree(const AxisGraph& graph, Memory* memory) {
+    if (graph.nodes.size() != graph.arcs.size() + 1) return false;
+    std::pmr::vector<uint32_t> root(graph.nodes.size(), 0, memory);
+    for (uint32_t i = 0; i < root.size(); ++i) root[i] = i;
+    const auto find = [&](uint32_t i) {
+        while (root[i] != i) i = root[i] = root[root[i]];
+        return i;
+    };
+    for (const auto& [a, b] : graph.arcs) {
+        const uint32_t x = find(a), y = find(b);
+        if (x == y) return false;
+        root[x] = y;
+    }
+    return true;
+}
+
+Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror) {
+    Half half(pace.memory());
+    const auto count = static_cast<uint32_t>(graph.nodes.size());
+    Buffer<Side> side(count, pace.memory());
+    Buffer<uint32_t> number(count, pace.memory());
+    co_await each_by_work(pace, count, Cost::some_ns, [&](uint32_t i) {
+        side[i] = side_of(graph, mirror, i);
+        return count;
+    });
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+        number[i] = none;
+        AxisNode node = graph.nodes[i];
+        if (side[i] == Side::on) node.at = mirror.on_axis(node.at);
+        if (side[i] != Side::right) number[i] = half.add(node, side[i] == Side::on);
+    });
+    co_await each(pace, graph.arcs.size(), Cost::tens_of_ns, [&](uint32_t e) {
+        auto [a, b] = graph.arcs[e];
+        if (side[b] == Side::left) std::swap(a, b);
+        if (side[a] == Side::right || (side[a] == Side::on && side[b] == Side::right)) return;
+        if (side[b] != Side::right) {
+            if (side[a] == Side::right) return;
+            half.graph.arcs.push_back({number[a], number[b]});
+            return;
+        }
+        if (side[a] != Side::left) return;
+        const AxisNode &from = graph.nodes[a], &to = graph.nodes[b];
+        const double share = mirror.side(from.at) / (mirror.side(from.at) - mirror.side(to.at));
+        const AxisNode middle{mirror.on_axis(mix(from.at, to.at, share)), std::lerp(from.clearance, to.clearance, share)};
+        half.graph.arcs.push_back({number[a], half.add(middle, true)});
+    });
+    co_return half;
+}
+
+AxisSample image_of(const AxisSample& sample, const MirrorAxis& mirror) {
+    const Point2 tip{sample.at.x + sample.left_of.x, sample.at.y + sample.left_of.y};
+    const Point2 at = mirror.image(sample.at), end = mirror.image(tip);
+    return {at, {at.x - end.x, at.y - end.y}, sample.right, sample.left};
+}
+
+}  // namespace
+
+Task<std::optional<PartSkeleton>> mirrored_branches(Pace& pace, const Contour& outline, const AxisGraph& graph,
+                                                    MirrorAxis mirror, double spacing) {
+    Half half = co_await left_half(pace, graph, mirror);
+    if (!is_tree(half.graph, pace.memory())) co_return std::nullopt;
+    const auto count = static_cast<uint32_t>(half.graph.nodes.size());
+    std::pmr::vector<uint8_t> stops(count, 0, pace.memory());
+    co_await each(pace, half.graph.arcs.size(), Cost::some_ns, [&](uint32_t e) {
+        const auto [a, b] = half.graph.arcs[e];
+        if (half.is_on[a] && !half.is_on[b]) stops[a] = 1;
+        if (half.is_on[b] && !half.is_on[a]) stops[b] = 1;
+    });
+    const std::pmr::vector<bool> is_on = std::move(half.is_on);
+    PartSkeleton part = co_await axis_branches(pace, outline, std::move(half.graph), spacing, stops);
+    Buffer<uint32_t> image(count, pace.memory());
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+        image[i] = i;
+        if (is_on[i]) return;
+        image[i] = static_cast<uint32_t>(part.graph.nodes.size());
+        const AxisNode node = part.graph.nodes[i];
+        part.graph.nodes.push_back({mirror.image(node.at), node.clearance});
+    });
+    co_await each(pace, part.graph.arcs.size(), Cost::tens_of_ns, [&](uint32_t e) {
+        const auto [a, b] = part.graph.arcs[e];
+        if (!is_on[a] || !is_on[b]) part.graph.arcs.push_back({image[a], image[b]});
+    });
+    const auto branches = static_cast<uint32_t>(part.branches.size());
+    for (uint32_t b = 0; b < branches; ++b) part.twins.push_back(b);
+    for (uint32_t b = 0; b < branches; ++b) {
+        const AxisBranch branch = part.branches[b];
+        const AxisSample& inner = part.samples[branch.begin + (branch.end - branch.begin) / 2];
+        const bool lies_on = is_on[branch.from] && is_on[branch.to] &&
+                             std::abs(mirror.side(inner.at)) <= same_place * (inner.left + inner.right);
+        if (lies_on) continue;
+        const auto begin = static_cast<uint32_t>(part.samples.size());
+        co_await each(pace, branch.end - branch.begin, Cost::tens_of_ns, [&](uint32_t i) {
+            const AxisSample sample = part.samples[branch.begin + i];
+            part.samples.push_back(image_of(sample, mirror));
+        });
+        const auto twin = static_cast<uint32_t>(part.branches.size());
+        part.branches.push_back({image[branch.from], image[branch.to], begin, static_cast<uint32_t>(part.samples.size())});
+        part.twins[b] = twin;
+        part.twins.push_back(b);
+    }
+    co_return part;
+}
+
+}  // namespace flg
