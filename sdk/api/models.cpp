@@ -177,7 +177,7 @@ void read_parents(uint32_t part_count, HeldModel& model, Memory* memory) {
         for (uint32_t steps = 0; at != no_number && model.parts[at].parent != at; at = model.parts[at].parent) {
             if (++steps > model.parts.size())
                 throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                              "desc.parts[%u].parent makes a cycle: %s would hang on itself", model.parts[p].source,
+                              "desc.parts[%u].parent makes a cycle: %s would hang on itself", model.parts[at].source,
                               model.parts[at].name.c_str());
         }
     }

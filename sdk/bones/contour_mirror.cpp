@@ -14,6 +14,7 @@ namespace {
 constexpr uint32_t first_moment = 2, moment_count = 5;
 constexpr double no_moment = 1e-5;   // by the area: a moment that small says nothing
 constexpr double off_real = 0.02;    // of the moments: what is left of them beside the real line at an axis
+constexpr double alike = 1e-4;       // by the area: shapes as long along one axis as along another
 constexpr double upright = 1e-6;     // axes as upright as each other
 constexpr uint32_t probes = 48;      // points of the line whose images are looked up
 constexpr double on_axis = 1e-9;     // of the line's size
@@ -110,6 +111,7 @@ Task<std::optional<MirrorAxis>> find_mirror(Pace& pace, const Contour& contour, 
     const uint32_t order = first_moment + largest;
     const double angle = std::atan2(moments.of[largest].im, moments.of[largest].re);
     std::optional<MirrorAxis> best;
+    double best_length = 0;  // of the shape along the axis, against across
     for (uint32_t k = 0; k < order; ++k) {
         const double turn = (angle + k * std::acos(-1.0)) / order;
         double rest = 0;
@@ -120,9 +122,11 @@ Task<std::optional<MirrorAxis>> find_mirror(Pace& pace, const Contour& contour, 
         if (rest > off_real * sum) continue;
         MirrorAxis axis{size.middle, {std::cos(turn), std::sin(turn)}};
         if (axis.along.y < 0) axis.along = {-axis.along.x, -axis.along.y};
-        if (best && axis.along.y <= best->along.y + upright) continue;
+        const double length = (moments.of[0] * Complex{std::cos(-2 * turn), std::sin(-2 * turn)}).re;
+        const bool is_alike = std::abs(length - best_length) <= alike;
+        if (best && (is_alike ? axis.along.y <= best->along.y + upright : length < best_length)) continue;
         const bool holds = co_await is_axis(pace, contour, axis, tolerance);
-        if (holds) best = axis;
+        if (holds) best = axis, best_length = length;
     }
     co_return best;
 }

@@ -3,7 +3,8 @@
 //
 // The axis goes through the middle of the area, and turns all complex moments of the area, the integrals of z^n, to the
 // real line: the largest of them has a few angles where that may be, the others and the line itself tell whether it is.
-// Of several axes the one most upright is taken. Contours with holes count as without an axis.
+// Of several axes the one along the shape is taken, of those
+// alike the most upright. Contours with holes count as without an axis.
 #pragma once
 
 #include <optional>

@@ -140,10 +140,13 @@ private:
             } else if (part.parent != p) {
                 co_await hang(p, part);
             }
-            for (bool goes_on = co_await may_meet(p); goes_on;) {
+            // What the host hung somewhere stays there.
+            bool goes_on = part.parent != p;
+            if (goes_on) goes_on = co_await may_meet(p, true);
+            while (goes_on) {
                 const PartLink link = co_await connect_to_part(pace_, graph_, new_part(p), others());
                 goes_on = add(link);
-                if (goes_on) goes_on = co_await may_meet(p);
+                if (goes_on) goes_on = co_await may_meet(p, true);
             }
         }
     }
@@ -160,11 +163,12 @@ private:
     }
 
     // Parts that do not hang together with this one yet; returns whether there are any.
-    Task<bool> may_meet(uint32_t part) {
+    Task<bool> may_meet(uint32_t part, bool as_children = false) {
         const uint32_t own = groups_.find(part), twin = model_.parts[part].twin;
         bool any = false;
         co_await each(pace_, part_count(), Cost::tens_of_ns, [&](uint32_t p) {
-            may_meet_[p] = groups_.has(p) && p != twin && groups_.find(p) != own;
+            may_meet_[p] = groups_.has(p) && p != twin && groups_.find(p) != own &&
+                           !(as_children && model_.parts[p].parent != no_number);
             any = any || may_meet_[p] != 0;
         });
         co_return any;

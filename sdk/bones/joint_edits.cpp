@@ -10,6 +10,7 @@
 namespace flg {
 namespace {
 
+constexpr const char* sides[] = {"", ".L", ".R"};
 constexpr double border = 1e-6;  // of a part's length: pins so far outside count as on the outline
 
 class Editor {
@@ -30,7 +31,7 @@ public:
             const JointEdit& edit = model_.edits[e];
             bool is_there = false;
             // One joint, or both of two mirror images.
-            for (const char* side : {"", ".L", ".R"}) {
+            for (const char* side : sides) {
                 std::pmr::string key(edit.joint, pace_.memory());
                 const auto found = joints_.find(key.append(side));
                 if (found == joints_.end()) continue;

@@ -10,8 +10,9 @@ namespace flg {
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
-constexpr double across = 0.5, alike = 0.25;  // of a node's clearance
-constexpr double same_place = 1e-7;           // of a node's clearance
+constexpr double alike = 0.5;               // of how far a node is from the axis: so far its image may be off
+constexpr double across[] = {0.5, 0.1, 0};  // of a node's clearance; tried in this order until the halves hang together
+constexpr double same_place = 1e-4;         // of a node's clearance: straight skeletons are a little off
 
 enum class Side : uint8_t { left, on, right };
 
@@ -32,15 +33,15 @@ bool has_image(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node) 
     const AxisNode& n = graph.nodes[node];
     const Point2 image = mirror.image(n.at);
     for (uint32_t i = 0; i < graph.nodes.size(); ++i)
-        if (i != node && distance(graph.nodes[i].at, image) <= alike * n.clearance) return true;
+        if (i != node && distance(graph.nodes[i].at, image) <= alike * std::abs(mirror.side(n.at))) return true;
     return false;
 }
 
-Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node) {
+Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node, double reach) {
     const AxisNode& n = graph.nodes[node];
     const double side = mirror.side(n.at);
     if (std::abs(side) <= same_place * n.clearance) return Side::on;
-    if (std::abs(side) <= across * n.clearance && !has_image(graph, mirror, node)) return Side::on;
+    if (std::abs(side) <= reach * n.clearance && !has_image(graph, mirror, node)) return Side::on;
     return side > 0 ? Side::left : Side::right;
 }
 
@@ -60,13 +61,13 @@ bool is_tree(const AxisGraph& graph, Memory* memory) {
     return true;
 }
 
-Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror) {
+Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror, double reach) {
     Half half(pace.memory());
     const auto count = static_cast<uint32_t>(graph.nodes.size());
     Buffer<Side> side(count, pace.memory());
     Buffer<uint32_t> number(count, pace.memory());
     co_await each_by_work(pace, count, Cost::some_ns, [&](uint32_t i) {
-        side[i] = side_of(graph, mirror, i);
+        side[i] = side_of(graph, mirror, i, reach);
         return count;
     });
     co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
@@ -103,8 +104,14 @@ AxisSample image_of(const AxisSample& sample, const MirrorAxis& mirror) {
 
 Task<std::optional<PartSkeleton>> mirrored_branches(Pace& pace, const Contour& outline, const AxisGraph& graph,
                                                     MirrorAxis mirror, double spacing) {
-    Half half = co_await left_half(pace, graph, mirror);
-    if (!is_tree(half.graph, pace.memory())) co_return std::nullopt;
+    Half half(pace.memory());
+    bool hangs_together = false;
+    for (const double reach : across) {
+        if (hangs_together) break;
+        half = co_await left_half(pace, graph, mirror, reach);
+        hangs_together = is_tree(half.graph, pace.memory());
+    }
+    if (!hangs_together) co_return std::nullopt;
     const auto count = static_cast<uint32_t>(half.graph.nodes.size());
     std::pmr::vector<uint8_t> stops(count, 0, pace.memory());
     co_await each(pace, half.graph.arcs.size(), Cost::some_ns, [&](uint32_t e) {
