@@ -201,7 +201,8 @@ JointEdit read_joint_edit(const FlgJointEdit& in, uint32_t number, Memory* memor
     check_enum(in.kind, FLG_JOINT_EDIT_PIN, FLG_JOINT_EDIT_RENAME, field("kind"), "FLG_JOINT_EDIT_");
     out.kind = in.kind;
     const auto read_text = [&](const char* text, const char* member, std::pmr::string& to) {
-        to = require(text, field(member));
+        require(text, field(member));
+        to = text;
         if (to.empty() || to.size() > longest)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s has %zu bytes, must have 1 to %zu", field(member), to.size(),
                           longest);

@@ -116,7 +116,7 @@ Task<std::optional<MirrorAxis>> find_mirror(Pace& pace, const Contour& contour, 
         const double turn = (angle + k * std::acos(-1.0)) / order;
         double rest = 0;
         for (uint32_t n = 0; n < moment_count; ++n) {
-            const double back = -(first_moment + n) * turn;
+            const double back = -turn * (first_moment + n);
             rest += std::abs((moments.of[n] * Complex{std::cos(back), std::sin(back)}).im);
         }
         if (rest > off_real * sum) continue;

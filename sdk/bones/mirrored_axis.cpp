@@ -10,6 +10,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
+constexpr size_t most_nodes = 1024;  // no drawing by hand has more; each is held against each
 constexpr double alike = 0.5;               // of how far a node is from the axis: so far its image may be off
 constexpr double across[] = {0.5, 0.1, 0};  // of a node's clearance; tried in this order until the halves hang together
 constexpr double same_place = 1e-4;         // of a node's clearance: straight skeletons are a little off
@@ -45,20 +46,70 @@ Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node, do
     return side > 0 ? Side::left : Side::right;
 }
 
-bool is_tree(const AxisGraph& graph, Memory* memory) {
-    if (graph.nodes.size() != graph.arcs.size() + 1) return false;
-    std::pmr::vector<uint32_t> root(graph.nodes.size(), 0, memory);
-    for (uint32_t i = 0; i < root.size(); ++i) root[i] = i;
-    const auto find = [&](uint32_t i) {
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
-    for (const auto& [a, b] : graph.arcs) {
-        const uint32_t x = find(a), y = find(b);
-        if (x == y) return false;
-        root[x] = y;
+// Nodes that hang together.
+class Clusters {
+public:
+    Clusters(const AxisGraph& graph, Memory* memory) : root_(graph.nodes.size(), 0, memory), left_(root_.size()) {
+        for (uint32_t i = 0; i < root_.size(); ++i) root_[i] = i;
+        for (const auto& [a, b] : graph.arcs) unite(a, b);
     }
-    return true;
+    bool unite(uint32_t a, uint32_t b) {
+        const uint32_t x = find(a), y = find(b);
+        root_[x] = y;
+        left_ -= x != y;
+        return x != y;
+    }
+    size_t count() const { return left_; }
+
+private:
+    uint32_t find(uint32_t i) {
+        while (root_[i] != i) i = root_[i] = root_[root_[i]];
+        return i;
+    }
+    std::pmr::vector<uint32_t> root_;
+    size_t left_;
+};
+
+// Pieces that hung together over the right half are linked along the axis, the nearest first, where that is inside.
+// Returns whether all is one then.
+Task<bool> link_along_axis(Pace& pace, const Contour& outline, MirrorAxis mirror, Half& half) {
+    AxisGraph& graph = half.graph;
+    Clusters clusters(graph, pace.memory());
+    if (clusters.count() == 1) co_return true;
+    struct OnAxis {
+        double along;
+        uint32_t node;
+    };
+    struct Gap {
+        double length;
+        uint32_t a, b;
+    };
+    std::pmr::vector<OnAxis> nodes(pace.memory());
+    for (uint32_t i = 0; i < graph.nodes.size(); ++i) {
+        const Point2& at = graph.nodes[i].at;
+        if (half.is_on[i])
+            nodes.push_back({mirror.along.x * (at.x - mirror.at.x) + mirror.along.y * (at.y - mirror.at.y), i});
+    }
+    std::sort(nodes.begin(), nodes.end(), [](const OnAxis& a, const OnAxis& b) {
+        return a.along != b.along ? a.along < b.along : a.node < b.node;
+    });
+    std::pmr::vector<Gap> gaps(pace.memory());
+    for (size_t i = 0; i + 1 < nodes.size(); ++i)
+        gaps.push_back({nodes[i + 1].along - nodes[i].along, nodes[i].node, nodes[i + 1].node});
+    std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
+        return a.length != b.length ? a.length < b.length : a.a < b.a;
+    });
+    co_await pace;
+    Slice slice(Cost::tens_of_ns);
+    for (const Gap& gap : gaps) {
+        bool leaves = false;
+        for (Portion part(slice, 0, outline.size()); !leaves && part.next();) {
+            leaves = meets_edges(outline, graph.nodes[gap.a].at, graph.nodes[gap.b].at, part.begin, part.end);
+            if (part.is_over()) co_await pace;
+        }
+        if (!leaves && clusters.unite(gap.a, gap.b)) graph.arcs.push_back({gap.a, gap.b});
+    }
+    co_return clusters.count() == 1;
 }
 
 Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror, double reach) {
@@ -104,12 +155,13 @@ AxisSample image_of(const AxisSample& sample, const MirrorAxis& mirror) {
 
 Task<std::optional<PartSkeleton>> mirrored_branches(Pace& pace, const Contour& outline, const AxisGraph& graph,
                                                     MirrorAxis mirror, double spacing) {
+    if (graph.nodes.size() > most_nodes) co_return std::nullopt;
     Half half(pace.memory());
     bool hangs_together = false;
     for (const double reach : across) {
         if (hangs_together) break;
         half = co_await left_half(pace, graph, mirror, reach);
-        hangs_together = is_tree(half.graph, pace.memory());
+        hangs_together = co_await link_along_axis(pace, outline, mirror, half);
     }
     if (!hangs_together) co_return std::nullopt;
     const auto count = static_cast<uint32_t>(half.graph.nodes.size());

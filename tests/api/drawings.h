@@ -108,7 +108,7 @@ inline Line hand() {
 inline Line octopus() {
     std::vector<Limb> arms;
     for (int i = 0; i < 8; ++i) arms.push_back({180 + 22.5 * (i + 0.5), 8, 0.42, 0.12});
-    return creature(2.2, arms);
+    return creature(2.8, arms);
 }
 
 inline Line spider() {

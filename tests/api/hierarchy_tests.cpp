@@ -474,10 +474,12 @@ TEST_F(Hierarchy, RefusesEditsThatCantBeAndKeepsTheLastModel) {
     edit.at[1] = 0.1;
     edit.at[2] = 5;
     expect("outside of its part body");
-    edit.at[2] = NAN;
+    edit.at[2] = 0;
+    edit.at[0] = NAN;
     expect("desc.joint_edits[0].at is nan");
     edit = flgJointEditDefaults();
-    edit.joint = first.roots()[0].c_str();
+    const std::string root = first.roots()[0];
+    edit.joint = root.c_str();
     edit.kind = FLG_JOINT_EDIT_MERGE;
     expect("which is a root");
     edit.kind = FLG_JOINT_EDIT_SPLIT;
