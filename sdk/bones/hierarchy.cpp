@@ -257,11 +257,16 @@ private:
         return joint;
     }
 
-    Task<uint32_t> nearest_own(uint32_t p, Vec3 at) {
+    // Of a part that is its own mirror image only what lies on the axis can be its middle.
+    bool may_be_middle(uint32_t p, uint32_t joint) const {
+        return !model_.parts[p].part->mirror || graph_.joints()[joint].hold != BoneGraph::Hold::none;
+    }
+
+    Task<uint32_t> nearest_own(uint32_t p, Vec3 at, bool is_middle = false) {
         uint32_t nearest = no_number;
         double least = 0;
         co_await each(pace_, first_[p], first_[p + 1], Cost::some_ns, [&](uint32_t j) {
-            if (!graph_.is_there(j)) return;
+            if (!graph_.is_there(j) || (is_middle && !may_be_middle(p, j))) return;
             const double distance = (graph_.joints()[j].at - at).norm();
             if (nearest == no_number || distance < least) nearest = j, least = distance;
         });
@@ -414,6 +419,9 @@ private:
         co_return root;
     }
 
+    // Joints where parts meet count: their bones go on.
+    bool is_middle_bone(uint32_t p, uint32_t joint) const { return joint >= own_end() || may_be_middle(p, joint); }
+
     Task<uint32_t> middle_joint(uint32_t p) {
         const Vec3 middle = middle_of(p);
         uint32_t bone = no_number;
@@ -421,20 +429,25 @@ private:
         co_await each(pace_, graph_.bones().size(), Cost::tens_of_ns, [&](uint32_t b) {
             if (graph_.bones()[b].gone || graph_.bones()[b].part != p) return;
             const auto& ends = graph_.bones()[b].joints;
+            if (!is_middle_bone(p, ends[0]) || !is_middle_bone(p, ends[1])) return;
             const Vec3 from = graph_.joints()[ends[0]].at, along = graph_.joints()[ends[1]].at - from;
             const double length2 = along.squaredNorm();
             const double s = length2 > 0 ? std::clamp((middle - from).dot(along) / length2, 0.0, 1.0) : 0;
             const double distance = (from + s * along - middle).norm();
             if (bone == no_number || distance < least) bone = b, least = distance, share = s;
         });
-        if (bone == no_number) co_return co_await nearest_own(p, middle);
+        if (bone == no_number) {
+            const uint32_t joint = co_await nearest_own(p, middle, true);
+            if (joint != no_number) co_return joint;
+            co_return co_await nearest_own(p, middle);
+        }
         const auto ends = graph_.bones()[bone].joints;
         const BoneGraph::Joint &a = graph_.joints()[ends[0]], &b = graph_.joints()[ends[1]];
         const Vec3 at = a.at + share * (b.at - a.at);
         const double radius = std::lerp(a.radius, b.radius, share);
         // Where other parts hang is not asked: what is in the middle must not depend on them.
-        const uint32_t own = co_await nearest_own(p, at);
-        if ((graph_.joints()[own].at - at).norm() <= std::max(collapse_, middle_at_joint * radius)) co_return own;
+        const uint32_t own = co_await nearest_own(p, at, true);
+        if (own != no_number && (graph_.joints()[own].at - at).norm() <= std::max(collapse_, middle_at_joint * radius)) co_return own;
         if (share <= 0 || share >= 1) co_return ends[share <= 0 ? 0 : 1];
         const uint32_t joint = graph_.split(bone, at, radius);
         co_return joint;

@@ -13,6 +13,7 @@ constexpr uint32_t none = UINT32_MAX;
 constexpr size_t most_nodes = 1024;  // no drawing by hand has more; each is held against each
 constexpr double alike = 0.5;               // of how far a node is from the axis: so far its image may be off
 constexpr double across[] = {0.5, 0.1, 0};  // of a node's clearance; tried in this order until the halves hang together
+constexpr double twigs = 0.25;              // of a node's clearance
 constexpr double same_place = 1e-4;         // of a node's clearance: straight skeletons are a little off
 
 enum class Side : uint8_t { left, on, right };
@@ -42,7 +43,12 @@ Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node, do
     const AxisNode& n = graph.nodes[node];
     const double side = mirror.side(n.at);
     if (std::abs(side) <= same_place * n.clearance) return Side::on;
-    if (std::abs(side) <= reach * n.clearance && !has_image(graph, mirror, node)) return Side::on;
+    if (std::abs(side) <= reach * n.clearance) {
+        const bool is_pair = has_image(graph, mirror, node);
+        if (!is_pair) return Side::on;
+        // A twig and its image that are almost one become one.
+        if (std::abs(side) <= twigs * n.clearance) return side > 0 ? Side::on : Side::right;
+    }
     return side > 0 ? Side::left : Side::right;
 }
 

@@ -2,6 +2,7 @@
 #include "bones/model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 #include "bones/bone_graph.h"
@@ -16,6 +17,7 @@ namespace flg {
 namespace {
 
 constexpr size_t max_joints = 65535;
+constexpr double on_axis = 1e-9;  // of a part's length: joints on its mirror axis are that near
 
 // The joints of a part: of the ends of its branches, and those chosen along them.
 Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, const PartJoints& chosen, BoneGraph& graph) {
@@ -31,25 +33,20 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, const P
             joint_of[node] = graph.add_joint(placed.place(n.at), n.clearance * radius_scale, number);
         return joint_of[node];
     };
+    const uint32_t first = static_cast<uint32_t>(graph.joints().size());
     if (skeleton.branches.empty()) end_joint(0);
     Slice slice(Cost::tens_of_ns);
     for (size_t b = 0; b < skeleton.branches.size(); ++b) {
         const AxisBranch& branch = skeleton.branches[b];
         const std::span<const AxisSample> samples(skeleton.samples.data() + branch.begin, branch.end - branch.begin);
         const std::span<const uint32_t> kept = chosen.of(number, b);
-        const bool is_middle = !skeleton.twins.empty() && skeleton.twins[b] == b;
-        const auto hold = [&](uint32_t joint) {
-            if (is_middle) graph.joints()[joint].hold = BoneGraph::Hold::middle;
-        };
         uint32_t before = end_joint(branch.from);
-        hold(before);
         for (size_t i = 1; i < kept.size(); ++i) {
             const AxisSample& sample = samples[kept[i]];
             const uint32_t joint = i + 1 == kept.size()
                                        ? end_joint(branch.to)
                                        : graph.add_joint(placed.place(sample.at),
                                                          0.5 * (sample.left + sample.right) * radius_scale, number);
-            hold(joint);
             graph.add_bone(before, joint, number);
             before = joint;
             if (slice.is_over()) co_await pace;
@@ -58,6 +55,13 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, const P
             throw Failure(FLG_ERROR_LIMIT, "desc.parts have more than %zu joints; larger thresholds make fewer",
                           max_joints);
     }
+    if (!placed.part->mirror) co_return;
+    const MirrorAxis& mirror = *placed.part->mirror;
+    co_await each(pace, first, static_cast<uint32_t>(graph.joints().size()), Cost::some_ns, [&](uint32_t j) {
+        BoneGraph::Joint& joint = graph.joints()[j];
+        if (std::abs(mirror.side(placed.drawn(joint.at))) <= on_axis * placed.part->length)
+            joint.hold = BoneGraph::Hold::middle;
+    });
 }
 
 // Which of two twins is the left one: on the side of the mirror's normal, by the middle of its axis.
