@@ -10,9 +10,10 @@ namespace flg {
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
-constexpr size_t most_nodes = 1024;  // no drawing by hand has more; each is held against each
+constexpr size_t most_nodes = 512;   // no drawing by hand has more; each is held against each
 constexpr double alike = 0.5;               // of how far a node is from the axis: so far its image may be off
 constexpr double across[] = {0.5, 0.1, 0};  // of a node's clearance; tried in this order until the halves hang together
+constexpr double one_place = 0.1;           // of a node's clearance
 constexpr double twigs = 0.25;              // of a node's clearance
 constexpr double same_place = 1e-4;         // of a node's clearance: straight skeletons are a little off
 
@@ -55,9 +56,8 @@ Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node, do
 // Nodes that hang together.
 class Clusters {
 public:
-    Clusters(const AxisGraph& graph, Memory* memory) : root_(graph.nodes.size(), 0, memory), left_(root_.size()) {
-        for (uint32_t i = 0; i < root_.size(); ++i) root_[i] = i;
-        for (const auto& [a, b] : graph.arcs) unite(a, b);
+    Clusters(size_t nodes, Memory* memory) : root_(nodes, 0, memory), left_(nodes) {
+        for (uint32_t i = 0; i < nodes; ++i) root_[i] = i;
     }
     bool unite(uint32_t a, uint32_t b) {
         const uint32_t x = find(a), y = find(b);
@@ -76,12 +76,15 @@ private:
     size_t left_;
 };
 
-// Pieces that hung together over the right half are linked along the axis, the nearest first, where that is inside.
-// Returns whether all is one then.
-Task<bool> link_along_axis(Pace& pace, const Contour& outline, MirrorAxis mirror, Half& half) {
+// Makes one tree that stays one with its image: what lies on the axis hangs together along it, which is inside of the
+// shape all the way, and each piece to the left hangs on that once, where there is most room.
+bool make_tree(const MirrorAxis& mirror, Half& half, Memory* memory) {
     AxisGraph& graph = half.graph;
-    Clusters clusters(graph, pace.memory());
-    if (clusters.count() == 1) co_return true;
+    Clusters clusters(graph.nodes.size(), memory);
+    std::pmr::vector<std::array<uint32_t, 2>> arcs(memory);
+    const auto add = [&](uint32_t a, uint32_t b) {
+        if (clusters.unite(a, b)) arcs.push_back({a, b});
+    };
     struct OnAxis {
         double along;
         uint32_t node;
@@ -90,7 +93,7 @@ Task<bool> link_along_axis(Pace& pace, const Contour& outline, MirrorAxis mirror
         double length;
         uint32_t a, b;
     };
-    std::pmr::vector<OnAxis> nodes(pace.memory());
+    std::pmr::vector<OnAxis> nodes(memory);
     for (uint32_t i = 0; i < graph.nodes.size(); ++i) {
         const Point2& at = graph.nodes[i].at;
         if (half.is_on[i])
@@ -99,23 +102,27 @@ Task<bool> link_along_axis(Pace& pace, const Contour& outline, MirrorAxis mirror
     std::sort(nodes.begin(), nodes.end(), [](const OnAxis& a, const OnAxis& b) {
         return a.along != b.along ? a.along < b.along : a.node < b.node;
     });
-    std::pmr::vector<Gap> gaps(pace.memory());
+    std::pmr::vector<Gap> gaps(memory), joins(memory);
     for (size_t i = 0; i + 1 < nodes.size(); ++i)
         gaps.push_back({nodes[i + 1].along - nodes[i].along, nodes[i].node, nodes[i + 1].node});
-    std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
+    const auto shorter = [](const Gap& a, const Gap& b) {
         return a.length != b.length ? a.length < b.length : a.a < b.a;
-    });
-    co_await pace;
-    Slice slice(Cost::tens_of_ns);
-    for (const Gap& gap : gaps) {
-        bool leaves = false;
-        for (Portion part(slice, 0, outline.size()); !leaves && part.next();) {
-            leaves = meets_edges(outline, graph.nodes[gap.a].at, graph.nodes[gap.b].at, part.begin, part.end);
-            if (part.is_over()) co_await pace;
-        }
-        if (!leaves && clusters.unite(gap.a, gap.b)) graph.arcs.push_back({gap.a, gap.b});
+    };
+    std::sort(gaps.begin(), gaps.end(), shorter);
+    for (const auto& [a, b] : graph.arcs)
+        if (half.is_on[a] && half.is_on[b]) add(a, b);
+    for (const Gap& gap : gaps) add(gap.a, gap.b);
+    for (const auto& [a, b] : graph.arcs) {
+        if (half.is_on[a] && half.is_on[b]) continue;
+        if (!half.is_on[a] && !half.is_on[b])
+            add(a, b);
+        else
+            joins.push_back({-graph.nodes[half.is_on[a] ? a : b].clearance, a, b});
     }
-    co_return clusters.count() == 1;
+    std::sort(joins.begin(), joins.end(), shorter);
+    for (const Gap& join : joins) add(join.a, join.b);
+    graph.arcs = std::move(arcs);
+    return !nodes.empty() && clusters.count() == 1;
 }
 
 Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror, double reach) {
@@ -127,11 +134,30 @@ Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror, doub
         side[i] = side_of(graph, mirror, i, reach);
         return count;
     });
+    // Nodes that come to the same place on the axis are one: that with the most room.
+    Buffer<uint32_t> same(count, pace.memory());
+    const auto find = [&](uint32_t i) {
+        while (same[i] != i) i = same[i];
+        return i;
+    };
+    co_await each(pace, count, Cost::some_ns, [&](uint32_t i) { same[i] = i; });
+    co_await each(pace, graph.arcs.size(), Cost::tens_of_ns, [&](uint32_t e) {
+        const auto [x, y] = graph.arcs[e];
+        if (side[x] != Side::on || side[y] != Side::on) return;
+        const uint32_t a = find(x), b = find(y);
+        const AxisNode &first = graph.nodes[a], &second = graph.nodes[b];
+        const double room = std::max(first.clearance, second.clearance);
+        if (distance(mirror.on_axis(first.at), mirror.on_axis(second.at)) > one_place * room) return;
+        (first.clearance >= second.clearance ? same[b] : same[a]) = first.clearance >= second.clearance ? a : b;
+    });
     co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
         number[i] = none;
         AxisNode node = graph.nodes[i];
         if (side[i] == Side::on) node.at = mirror.on_axis(node.at);
-        if (side[i] != Side::right) number[i] = half.add(node, side[i] == Side::on);
+        if (side[i] != Side::right && same[i] == i) number[i] = half.add(node, side[i] == Side::on);
+    });
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+        if (same[i] != i) number[i] = number[find(i)];
     });
     co_await each(pace, graph.arcs.size(), Cost::tens_of_ns, [&](uint32_t e) {
         auto [a, b] = graph.arcs[e];
@@ -139,7 +165,7 @@ Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror, doub
         if (side[a] == Side::right || (side[a] == Side::on && side[b] == Side::right)) return;
         if (side[b] != Side::right) {
             if (side[a] == Side::right) return;
-            half.graph.arcs.push_back({number[a], number[b]});
+            if (number[a] != number[b]) half.graph.arcs.push_back({number[a], number[b]});
             return;
         }
         if (side[a] != Side::left) return;
@@ -167,7 +193,8 @@ Task<std::optional<PartSkeleton>> mirrored_branches(Pace& pace, const Contour& o
     for (const double reach : across) {
         if (hangs_together) break;
         half = co_await left_half(pace, graph, mirror, reach);
-        hangs_together = co_await link_along_axis(pace, outline, mirror, half);
+        hangs_together = make_tree(mirror, half, pace.memory());
+        co_await pace;
     }
     if (!hangs_together) co_return std::nullopt;
     const auto count = static_cast<uint32_t>(half.graph.nodes.size());
