@@ -29,7 +29,8 @@ std::vector<double> numbers_of(const std::string& path, size_t line, const std::
         double value = 0;
         const auto [next, error] = std::from_chars(at + (*at == '+'), end, value);
         const bool is_apart = next == end || *next == ' ' || *next == '\t';
-        if (error != std::errc() || !is_apart || numbers.size() == 4) fail(path, line, quoted_line(text) + " is no point");
+        if (error != std::errc() || !is_apart || numbers.size() == 4)
+            fail(path, line, quoted_line(text) + " is no point");
         numbers.push_back(value);
         at = next;
     }
@@ -115,7 +116,8 @@ ContourArrays read_contour_file(const std::string& path) {
             continue;
         }
         if (numbers.size() != (announced > 0 ? 3u : 2u))
-            fail(path, line, quoted_line(text) + " is no point: " + (announced > 0 ? "x y z" : "x y") + " are expected");
+            fail(path, line,
+                 quoted_line(text) + " is no point: " + (announced > 0 ? "x y z" : "x y") + " are expected");
         if (announced > 0 && !contour.points.empty() && numbers[2] != contour.depth)
             fail(path, line, quoted_line(text) + " is not in the plane of the points before: z must be the same");
         if (announced > 0) contour.depth = numbers[2];

@@ -42,7 +42,7 @@ struct ModelDrawing {
     std::array<float, 4> mirror = {1, 0, 0, 0};
     FlgBoneThresholds thresholds = flgBoneThresholdsDefaults();
     bool has_colors = false;
-    bool repair = false;  // contours that cross themselves
+    bool repair = false;           // contours that cross themselves
     std::string root, root_joint;  // of the part, and of its joint; empty: to be found
     std::vector<JointEdit> joint_edits;
 };

@@ -208,9 +208,12 @@ void overview(Workshop& workshop, Studio& studio) {
         some.parts.resize(count);
         return some;
     };
-    const FlgBoneThresholds coarse = {
-        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.03f, .merge = 0.06f, .prune = 0.09f, .collapse = 0.05f,
-                                                .detail = 0};
+    const FlgBoneThresholds coarse = {.struct_size = sizeof(FlgBoneThresholds),
+                                      .simplify = 0.03f,
+                                      .merge = 0.06f,
+                                      .prune = 0.09f,
+                                      .collapse = 0.05f,
+                                      .detail = 0};
     Shelf shelf(workshop);
     std::vector<Panel> panels;
     const auto add = [&](Panel panel, const char* title) {

@@ -443,7 +443,9 @@ Task<PartSkeleton> axis_branches(Pace& pace, const Contour& contour, AxisGraph g
     // An arc's ends, each two, by node.
     const Groups ends = co_await group_by(pace, 2 * arcs.size(), part.graph.nodes.size(),
                                           [&](uint32_t end) { return arcs[end / 2][end % 2]; });
-    const auto goes_on = [&](uint32_t node) { return ends.of(node).size() == 2 && (stops.empty() || stops[node] == 0); };
+    const auto goes_on = [&](uint32_t node) {
+        return ends.of(node).size() == 2 && (stops.empty() || stops[node] == 0);
+    };
     const auto neighbour = [&](uint32_t end) { return arcs[end / 2][1 - end % 2]; };
     Path path{part.graph, std::pmr::vector<uint32_t>(pace.memory())};
     path.nodes.reserve(part.graph.nodes.size());

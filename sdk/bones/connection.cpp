@@ -275,8 +275,7 @@ Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherPar
     const auto ends = co_await list_ends(pace, graph, part);
     const Nearest nearest = co_await nearest_of(pace, graph, ends, candidates);
     Place place = nearest.inside;
-    if (place.child == no_number)
-        place = co_await nearest_in_wide(pace, graph, ends, others);
+    if (place.child == no_number) place = co_await nearest_in_wide(pace, graph, ends, others);
     if (place.child == no_number) place = nearest.touching;
     if (place.child == no_number && candidates.count() > 0) {
         const size_t parts = std::max<size_t>(others.may_meet.size(), part.number);

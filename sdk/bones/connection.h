@@ -41,8 +41,8 @@ struct NewPart {
 
 // What it may be connected with. By part; all outlive the task.
 struct OtherParts {
-    std::span<const uint8_t> may_meet;    // 1: yes; none: all but itself
-    std::span<const PartLink> links = {};  // of those before; none: not known
+    std::span<const uint8_t> may_meet;      // 1: yes; none: all but itself
+    std::span<const PartLink> links = {};   // of those before; none: not known
     std::span<const WidePart> shapes = {};  // none: not known
 };
 

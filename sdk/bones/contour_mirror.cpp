@@ -12,12 +12,12 @@ namespace flg {
 namespace {
 
 constexpr uint32_t first_moment = 2, moment_count = 5;
-constexpr double no_moment = 1e-5;   // by the area: a moment that small says nothing
-constexpr double off_real = 0.02;    // of the moments: what is left of them beside the real line at an axis
-constexpr double alike = 1e-4;       // by the area: shapes as long along one axis as along another
-constexpr double upright = 1e-6;     // axes as upright as each other
-constexpr uint32_t probes = 48;      // points of the line whose images are looked up
-constexpr double on_axis = 1e-9;     // of the line's size
+constexpr double no_moment = 1e-5;  // by the area: a moment that small says nothing
+constexpr double off_real = 0.02;   // of the moments: what is left of them beside the real line at an axis
+constexpr double alike = 1e-4;      // by the area: shapes as long along one axis as along another
+constexpr double upright = 1e-6;    // axes as upright as each other
+constexpr uint32_t probes = 48;     // points of the line whose images are looked up
+constexpr double on_axis = 1e-9;    // of the line's size
 
 struct Complex {
     double re = 0, im = 0;

@@ -12,7 +12,7 @@
 namespace flg {
 namespace {
 
-constexpr double same_joint = 0.05;       // of a part's length: joints of a redrawn part that are farther apart are others
+constexpr double same_joint = 0.05;  // of a part's length: joints of a redrawn part that are farther apart are others
 constexpr double middle_at_joint = 0.75;  // of the radius: a joint so near to the trunk's middle is it
 
 double area_of(const ModelPart& part) {
@@ -97,7 +97,8 @@ private:
         co_await each(pace_, own_end(), Cost::some_ns,
                       [&](uint32_t j) { graph_.joints()[j].own_degree = graph_.joints()[j].degree; });
         co_await each(pace_, graph_.bones().size(), Cost::some_ns, [&](uint32_t b) {
-            if (!graph_.bones()[b].gone) own_bones_.push_back({graph_.bones()[b].joints[0], graph_.bones()[b].joints[1]});
+            if (!graph_.bones()[b].gone)
+                own_bones_.push_back({graph_.bones()[b].joints[0], graph_.bones()[b].joints[1]});
         });
         own_ends_ = co_await group_by(pace_, 2 * own_bones_.size(), own_end(),
                                       [&](uint32_t end) { return own_bones_[end / 2][end % 2]; });
@@ -447,7 +448,8 @@ private:
         const double radius = std::lerp(a.radius, b.radius, share);
         // Where other parts hang is not asked: what is in the middle must not depend on them.
         const uint32_t own = co_await nearest_own(p, at, true);
-        if (own != no_number && (graph_.joints()[own].at - at).norm() <= std::max(collapse_, middle_at_joint * radius)) co_return own;
+        if (own != no_number && (graph_.joints()[own].at - at).norm() <= std::max(collapse_, middle_at_joint * radius))
+            co_return own;
         if (share <= 0 || share >= 1) co_return ends[share <= 0 ? 0 : 1];
         const uint32_t joint = graph_.split(bone, at, radius);
         co_return joint;

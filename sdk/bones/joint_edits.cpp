@@ -51,8 +51,7 @@ private:
         joints_.reserve(graph_.joints().size());
         co_await each(pace_, graph_.joints().size(), Cost::hundreds_of_ns, [&](uint32_t j) {
             const BoneGraph::Joint& joint = graph_.joints()[j];
-            if (graph_.is_there(j) && joint.label != no_number)
-                joints_.emplace(hierarchy_.labels[joint.label].key, j);
+            if (graph_.is_there(j) && joint.label != no_number) joints_.emplace(hierarchy_.labels[joint.label].key, j);
         });
     }
 

@@ -10,7 +10,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
-constexpr size_t most_nodes = 512;   // no drawing by hand has more; each is held against each
+constexpr size_t most_nodes = 512;          // no drawing by hand has more; each is held against each
 constexpr double alike = 0.5;               // of how far a node is from the axis: so far its image may be off
 constexpr double across[] = {0.5, 0.1, 0};  // of a node's clearance; tried in this order until the halves hang together
 constexpr double one_place = 0.1;           // of a node's clearance
@@ -164,14 +164,14 @@ Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror, doub
         if (side[b] == Side::left) std::swap(a, b);
         if (side[a] == Side::right || (side[a] == Side::on && side[b] == Side::right)) return;
         if (side[b] != Side::right) {
-            if (side[a] == Side::right) return;
             if (number[a] != number[b]) half.graph.arcs.push_back({number[a], number[b]});
             return;
         }
         if (side[a] != Side::left) return;
         const AxisNode &from = graph.nodes[a], &to = graph.nodes[b];
         const double share = mirror.side(from.at) / (mirror.side(from.at) - mirror.side(to.at));
-        const AxisNode middle{mirror.on_axis(mix(from.at, to.at, share)), std::lerp(from.clearance, to.clearance, share)};
+        const AxisNode middle{mirror.on_axis(mix(from.at, to.at, share)),
+                              std::lerp(from.clearance, to.clearance, share)};
         half.graph.arcs.push_back({number[a], half.add(middle, true)});
     });
     co_return half;
@@ -232,7 +232,8 @@ Task<std::optional<PartSkeleton>> mirrored_branches(Pace& pace, const Contour& o
             part.samples.push_back(image_of(sample, mirror));
         });
         const auto twin = static_cast<uint32_t>(part.branches.size());
-        part.branches.push_back({image[branch.from], image[branch.to], begin, static_cast<uint32_t>(part.samples.size())});
+        part.branches.push_back(
+            {image[branch.from], image[branch.to], begin, static_cast<uint32_t>(part.samples.size())});
         part.twins[b] = twin;
         part.twins.push_back(b);
     }

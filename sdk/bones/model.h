@@ -16,8 +16,7 @@ namespace flg {
 
 // A part where the model has it.
 struct ModelPart {
-    explicit ModelPart(Memory* memory)
-        : branch_simplify(memory), name(memory), suffix(memory), parent_joint(memory) {}
+    explicit ModelPart(Memory* memory) : branch_simplify(memory), name(memory), suffix(memory), parent_joint(memory) {}
 
     std::shared_ptr<const HeldPart> part;
     Eigen::Matrix<double, 3, 4> placement = Eigen::Matrix<double, 3, 4>::Identity();
@@ -26,9 +25,9 @@ struct ModelPart {
     FlgBoneThresholds thresholds{};            // shares of the model's size
     std::pmr::vector<double> branch_simplify;  // by branch, negative: the part's; none: all the part's
     std::pmr::string name, suffix;
-    uint32_t source = 0;        // which of the host's parts
-    uint32_t twin = no_number;  // its mirror image or what it is that of
-    bool is_mirrored = false;   // it is the image
+    uint32_t source = 0;            // which of the host's parts
+    uint32_t twin = no_number;      // its mirror image or what it is that of
+    bool is_mirrored = false;       // it is the image
     uint32_t parent = no_number;    // that the host hung it on, itself: none; no_number: to be found
     std::pmr::string parent_joint;  // its key; none: the nearest
 

@@ -14,7 +14,7 @@
 namespace flg {
 namespace {
 
-constexpr double longest = 3;              // lengths of parts, by the diagonal of their boxes
+constexpr double longest = 3;                // lengths of parts, by the diagonal of their boxes
 constexpr double mirror_tolerance = 0.0015;  // of the length: how far a line may be from its mirror image
 
 // Hosts see all of it as plain numbers.

@@ -32,10 +32,10 @@ public:
     Contour outline;                    // what the axis was made of
     PartSkeleton skeleton;
     std::optional<MirrorAxis> mirror;  // of the drawn line; the skeleton is its own mirror image then
-    double length = 0;  // of ring 0, drawn, but three times the diagonal of its box at most
-    double area = 0;    // within the outline
-    double widest = 0;  // clearance of the axis
-    Point2 centroid{};  // of the area
+    double length = 0;                 // of ring 0, drawn, but three times the diagonal of its box at most
+    double area = 0;                   // within the outline
+    double widest = 0;                 // clearance of the axis
+    Point2 centroid{};                 // of the area
 
     const Contour& line() const { return spacing > 0 ? even : drawn; }
     void warn(const Host& host) const noexcept override { change.warn(host, "part", handle); }

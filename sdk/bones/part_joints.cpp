@@ -10,9 +10,9 @@
 namespace flg {
 namespace {
 
-constexpr double bones_a_doubling = 0.75;     // of a bone's length by its width
-constexpr double window = 0.3;                // of a piece: so far a joint may be from the even place
-constexpr double evenness = 0.2;              // of the radius: what an elbow is deeper by than the even place
+constexpr double bones_a_doubling = 0.75;               // of a bone's length by its width
+constexpr double window = 0.3;                          // of a piece: so far a joint may be from the even place
+constexpr double evenness = 0.2;                        // of the radius: what an elbow is deeper by than the even place
 constexpr double same_length = 1.25, same_width = 1.5;  // of equal limbs
 constexpr uint32_t most_pieces = 8;
 
@@ -43,7 +43,8 @@ double elbow_at(Samples samples, const Piece& bone, uint32_t i) {
     const double share = static_cast<double>(i - bone.from) / (bone.to - bone.from);
     const double narrowing = std::lerp(radius_of(a), radius_of(b), share) - radius_of(samples[i]);
     const double length = distance(a.at, b.at);
-    const double across = (b.at.x - a.at.x) * (samples[i].at.y - a.at.y) - (b.at.y - a.at.y) * (samples[i].at.x - a.at.x);
+    const double across =
+        (b.at.x - a.at.x) * (samples[i].at.y - a.at.y) - (b.at.y - a.at.y) * (samples[i].at.x - a.at.x);
     return std::max(0.0, narrowing) + (length > 0 ? std::abs(across) / length : 0);
 }
 
@@ -215,8 +216,7 @@ private:
         if (bone.to - bone.from < 2) co_return false;
         const Samples samples = samples_of(limb.part, limb.branch);
         const double radius = co_await mean_radius(pace_, samples, bone);
-        const Joints between =
-            co_await divide(pace_, model_.parts[limb.part].part->outline, samples, bone, 2, radius);
+        const Joints between = co_await divide(pace_, model_.parts[limb.part].part->outline, samples, bone, 2, radius);
         joints.insert(joints.begin() + static_cast<ptrdiff_t>(longest) + 1, between.begin(), between.end());
         co_return !between.empty();
     }

@@ -81,7 +81,7 @@ Task<void> find_clusters(Pace& pace, const BoneGraph& graph, Thresholds threshol
                 is_held = is_held || is_pinned(graph, walk.joint);
                 if (slice.is_over()) co_await pace;
             } while (graph.go_on(walk));
-            if (is_held || is_pinned(graph, walk.joint)) continue;
+            if (is_held) continue;
             if (walk.joint < joint || !is_junction(graph, walk.joint)) continue;
             if (walk.length >= of(thresholds, walk.part).merge) continue;
             junctions.branches.push_back({joint, bone});
@@ -130,8 +130,8 @@ Task<void> merge_junctions(Pace& pace, Thresholds thresholds, BoneGraph& graph) 
         const BoneGraph::Joint& widest = graph.joints()[junctions.all[junction.widest].joint];
         const Vec3 middle = junction.middle / junction.equals;
         // The middle of two is inside of both of their balls, or not taken.
-        const bool takes_middle = junction.equals > 1 && widest.hold != Hold::middle &&
-                                  (middle - widest.at).norm() <= widest.radius;
+        const bool takes_middle =
+            junction.equals > 1 && widest.hold != Hold::middle && (middle - widest.at).norm() <= widest.radius;
         joint.at = takes_middle ? middle : widest.at;
         joint.radius = widest.radius, joint.part = widest.part;
         joint.label = widest.label, joint.hold = widest.hold;

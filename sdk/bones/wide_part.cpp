@@ -21,8 +21,7 @@ void look_at_edges(const Contour& outline, const Point2& at, uint32_t begin, uin
         const double share = length2 > 0 ? std::clamp(((at.x - a.x) * x + (at.y - a.y) * y) / length2, 0.0, 1.0) : 0;
         const double dx = at.x - a.x - share * x, dy = at.y - a.y - share * y;
         nearest.distance2 = std::min(nearest.distance2, dx * dx + dy * dy);
-        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / y * x)
-            nearest.is_inside = !nearest.is_inside;
+        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / y * x) nearest.is_inside = !nearest.is_inside;
     }
 }
 
@@ -50,7 +49,7 @@ Task<bool> meets_ball(Pace& pace, const WidePart& part, Vec3 centre, double radi
     if (height > reach + part.thickness * part.widest) co_return false;
     const Point2 at{offset.dot(part.placement.col(0)), offset.dot(part.placement.col(1))};
     const double depth = co_await depth_in(pace, *part.outline, at);
-    co_return depth >= -reach && height <= reach + height_over(depth, part.widest, part.thickness);
+    co_return depth >= -reach&& height <= reach + height_over(depth, part.widest, part.thickness);
 }
 
 }  // namespace flg

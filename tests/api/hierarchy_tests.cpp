@@ -50,8 +50,8 @@ struct Skeleton {
             image[coordinate] = -image[coordinate];
             double nearest = 1e300;
             for (const Joint& other : joints)
-                nearest = std::min(nearest, std::hypot(other.at[0] - image[0], other.at[1] - image[1],
-                                                       other.at[2] - image[2]));
+                nearest = std::min(nearest,
+                                   std::hypot(other.at[0] - image[0], other.at[1] - image[1], other.at[2] - image[2]));
             worst = std::max(worst, nearest);
         }
         return worst / size;

@@ -154,8 +154,9 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     threshold("--merge", options->merge, "Junctions nearer to each other become one; default 0.03");
     threshold("--prune", options->prune, "Branches to an end that are shorter are removed; default 0.03");
     threshold("--collapse", options->collapse, "Inner bones that are shorter vanish; default 0.01");
-    command->add_option("--detail", options->detail,
-                        "Joints in all limbs: 2 is finer, 0.5 coarser; 0: only the four above count. Default 1")
+    command
+        ->add_option("--detail", options->detail,
+                     "Joints in all limbs: 2 is finer, 0.5 coarser; 0: only the four above count. Default 1")
         ->check(CLI::Range(0.0f, 20.0f));
     command->add_option("--root", options->root, "The part that the hierarchy begins with; default: the largest")
         ->type_name("PART");
