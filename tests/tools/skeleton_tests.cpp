@@ -102,7 +102,7 @@ TEST_F(SkeletonCommand, PlainContoursArePartsInOnePlane) {
     folder.write("torso.poly.txt", "-3 -1\n3 -1\n3 1\n-3 1\n");
     const Json json = bones({"torso.poly.txt", "leg.poly.txt"});
     ASSERT_EQ(json.at("parts").size(), 2u);
-    EXPECT_EQ(json.at("joints")[0].at("name"), "torso_0");
+    EXPECT_EQ(json.at("joints")[0].at("name"), "torso_root");
     EXPECT_EQ(json.at("parts")[1].at("event"), "bone_split");
     for (const Json& joint : json.at("joints")) EXPECT_EQ(joint.at("position")[2], 0.0);
 }
