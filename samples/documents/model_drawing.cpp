@@ -150,11 +150,12 @@ JointEdit read_joint_edit(const JsonPlace& item) {
     JointEdit edit;
     edit.joint = item.at("joint").text();
     edit.kind = static_cast<FlgJointEditKind>(item.at("edit").word(joint_edits));
-    if (edit.kind == FLG_JOINT_EDIT_PIN) {
+    if (edit.kind == FLG_JOINT_EDIT_KIND_PIN) {
         const std::vector<double> at = read_numbers(item.at("at"), 3);
         std::copy(at.begin(), at.end(), edit.at.begin());
     }
-    if (edit.kind == FLG_JOINT_EDIT_SPLIT || edit.kind == FLG_JOINT_EDIT_RENAME) edit.name = item.at("name").text();
+    if (edit.kind == FLG_JOINT_EDIT_KIND_SPLIT || edit.kind == FLG_JOINT_EDIT_KIND_RENAME)
+        edit.name = item.at("name").text();
     if (const auto place = item.find("share")) edit.share = place->real(0, 1);
     return edit;
 }

@@ -31,7 +31,7 @@ struct DrawnPart {
 
 // As FlgJointEdit.
 struct JointEdit {
-    FlgJointEditKind kind = FLG_JOINT_EDIT_PIN;
+    FlgJointEditKind kind = FLG_JOINT_EDIT_KIND_PIN;
     std::string joint, name;
     std::array<double, 3> at = {0, 0, 0};
     double share = 0.5;

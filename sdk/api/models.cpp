@@ -43,7 +43,7 @@ FlgModelDesc default_model_desc() {
 
 FlgJointEdit default_joint_edit() {
     auto edit = sized<FlgJointEdit>();
-    edit.kind = FLG_JOINT_EDIT_PIN;
+    edit.kind = FLG_JOINT_EDIT_KIND_PIN;
     edit.share = 0.5;
     return edit;
 }
@@ -198,7 +198,7 @@ JointEdit read_joint_edit(const FlgJointEdit& in, uint32_t number, Memory* memor
         return name;
     };
     JointEdit out(memory);
-    check_enum(in.kind, FLG_JOINT_EDIT_PIN, FLG_JOINT_EDIT_RENAME, field("kind"), "FLG_JOINT_EDIT_");
+    check_enum(in.kind, FLG_JOINT_EDIT_KIND_PIN, FLG_JOINT_EDIT_KIND_RENAME, field("kind"), "FLG_JOINT_EDIT_KIND_");
     out.kind = in.kind;
     const auto read_text = [&](const char* text, const char* member, std::pmr::string& to) {
         require(text, field(member));
@@ -208,12 +208,13 @@ JointEdit read_joint_edit(const FlgJointEdit& in, uint32_t number, Memory* memor
                           longest);
     };
     read_text(in.joint, "joint", out.joint);
-    if (in.kind == FLG_JOINT_EDIT_SPLIT || in.kind == FLG_JOINT_EDIT_RENAME) read_text(in.name, "name", out.name);
+    if (in.kind == FLG_JOINT_EDIT_KIND_SPLIT || in.kind == FLG_JOINT_EDIT_KIND_RENAME)
+        read_text(in.name, "name", out.name);
     for (int i = 0; i < 3; ++i) {
         check_range(std::abs(in.at[i]) <= 1e30, field("at"), in.at[i], "finite and at most 1e30 in size");
         out.at[i] = in.at[i];
     }
-    check_range(in.kind != FLG_JOINT_EDIT_SPLIT || (in.share > 0 && in.share < 1), field("share"), in.share,
+    check_range(in.kind != FLG_JOINT_EDIT_KIND_SPLIT || (in.share > 0 && in.share < 1), field("share"), in.share,
                 "between 0 and 1");
     out.share = in.share;
     return out;

@@ -39,7 +39,7 @@ public:
                 co_await apply(edit, e, graph_.heir(found->second), side);
                 if (*side == 0) break;
             }
-            if (!is_there && edit.kind == FLG_JOINT_EDIT_PIN) co_await make_pinned(edit, e);
+            if (!is_there && edit.kind == FLG_JOINT_EDIT_KIND_PIN) co_await make_pinned(edit, e);
         }
     }
 
@@ -76,12 +76,12 @@ private:
 
     Task<void> apply(const JointEdit& edit, uint32_t number, uint32_t joint, const char* side) {
         switch (edit.kind) {
-            case FLG_JOINT_EDIT_PIN:
+            case FLG_JOINT_EDIT_KIND_PIN:
                 co_await check_inside(edit, number, model_.parts[graph_.joints()[joint].part]);
                 pin(edit, joint);
                 break;
-            case FLG_JOINT_EDIT_SPLIT: split(edit, number, joint, side); break;
-            case FLG_JOINT_EDIT_MERGE: co_await merge(edit, number, joint); break;
+            case FLG_JOINT_EDIT_KIND_SPLIT: split(edit, number, joint, side); break;
+            case FLG_JOINT_EDIT_KIND_MERGE: co_await merge(edit, number, joint); break;
             default: rename(edit, number, joint, side);
         }
     }

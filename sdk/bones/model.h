@@ -42,7 +42,7 @@ struct ModelPart {
 struct JointEdit {
     explicit JointEdit(Memory* memory) : joint(memory), name(memory) {}
 
-    FlgJointEditKind kind = FLG_JOINT_EDIT_PIN;
+    FlgJointEditKind kind = FLG_JOINT_EDIT_KIND_PIN;
     std::pmr::string joint, name;
     Vec3 at = Vec3::Zero();  // in the drawing
     double share = 0.5;

@@ -386,10 +386,10 @@ TEST_F(Hierarchy, WhatIsSetAboutJointsStaysSet) {
     std::vector<FlgJointEdit> edits(4, flgJointEditDefaults());
     edits[0].joint = "leg_1";
     edits[0].at[0] = 2.1, edits[0].at[1] = -2;
-    edits[1].kind = FLG_JOINT_EDIT_RENAME;
+    edits[1].kind = FLG_JOINT_EDIT_KIND_RENAME;
     edits[1].joint = "leg_1";
     edits[1].name = "knee";
-    edits[2].kind = FLG_JOINT_EDIT_SPLIT;
+    edits[2].kind = FLG_JOINT_EDIT_KIND_SPLIT;
     edits[2].joint = "leg_1";
     edits[2].name = "thigh";
     edits[2].share = 0.25;
@@ -424,7 +424,7 @@ TEST_F(Hierarchy, WhatIsSetAboutJointsStaysSet) {
     desc.joint_edit_count = 4;
     EXPECT_EQ(made(desc).find("leg_1")->name, "knee");
     edits[0] = flgJointEditDefaults();
-    edits[0].kind = FLG_JOINT_EDIT_MERGE;
+    edits[0].kind = FLG_JOINT_EDIT_KIND_MERGE;
     edits[0].joint = "leg_1";
     desc.joint_edit_count = 1;
     const Skeleton merged = made(desc);
@@ -440,7 +440,7 @@ TEST_F(Hierarchy, EditsOfAMirroredPartMeanBothOrOne) {
     desc.mirror[0] = 0;
     desc.mirror[2] = 1;
     FlgJointEdit edit = flgJointEditDefaults();
-    edit.kind = FLG_JOINT_EDIT_RENAME;
+    edit.kind = FLG_JOINT_EDIT_KIND_RENAME;
     edit.joint = "leg_1";
     edit.name = "knee";
     desc.joint_edits = &edit;
@@ -480,13 +480,13 @@ TEST_F(Hierarchy, RefusesEditsThatCantBeAndKeepsTheLastModel) {
     edit = flgJointEditDefaults();
     const std::string root = first.roots()[0];
     edit.joint = root.c_str();
-    edit.kind = FLG_JOINT_EDIT_MERGE;
+    edit.kind = FLG_JOINT_EDIT_KIND_MERGE;
     expect("which is a root");
-    edit.kind = FLG_JOINT_EDIT_SPLIT;
+    edit.kind = FLG_JOINT_EDIT_KIND_SPLIT;
     expect("desc.joint_edits[0].name is null");
     edit.name = "new";
     expect("which is a root");
-    edit.kind = FLG_JOINT_EDIT_RENAME;
+    edit.kind = FLG_JOINT_EDIT_KIND_RENAME;
     const std::string other = first.joints.back().name;
     edit.name = other.c_str();
     expect("desc.joint_edits[0].name is \"" + other + "\", as that of another joint");

@@ -53,7 +53,7 @@ FlgModel make_model(Calls& calls) {
     for (FlgJointEdit& edit : edits) edit = FLG_INIT(calls, flgJointEditInit);
     edits[0].joint = "body_0";
     edits[1].joint = "part1_0";
-    edits[1].kind = FLG_JOINT_EDIT_RENAME;
+    edits[1].kind = FLG_JOINT_EDIT_KIND_RENAME;
     edits[1].name = "shoulder";
     parts[1].parent = 0;
     desc.joint_edits = edits;

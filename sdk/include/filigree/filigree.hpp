@@ -4266,8 +4266,8 @@ public:
     /// joints along the branches, connects parts, merges junctions, and removes short branches and bones. The hierarchy
     /// begins in the middle of the trunk; a part that meets no other is another root. Joints of one contour that is its
     /// own mirror image are mirror images too. The job fails if an edit pins a joint outside of its part, merges a root
-    /// or gives two joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost:
-    /// about 20 us a part.
+    /// or gives two joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost: 20
+    /// us a part.
     /// Calls flgModelCreate.
     Result<Model> model(const ModelDesc& desc, Job* out_job = nullptr) const {
         FlgModel out_model{};

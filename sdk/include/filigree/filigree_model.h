@@ -207,21 +207,21 @@ typedef struct FlgModelPart {
 
 /* What a host or its user sets about a joint. */
 typedef enum FlgJointEditKind {
-    FLG_JOINT_EDIT_PIN = 0,    /* the joint stays at `at`, where it is or moved there, and is never refined away; one
-                                  that is not there is made on the nearest bone of its part */
-    FLG_JOINT_EDIT_SPLIT = 1,  /* a new joint with the key `name` on the bone to the joint from its parent, at `share` */
-    FLG_JOINT_EDIT_MERGE = 2,  /* the joint becomes one with its parent, which stays where it is */
-    FLG_JOINT_EDIT_RENAME = 3, /* the joint is called `name`; its key stays */
-    FLG_JOINT_EDIT_FORCE_32BIT = 0x7fffffff
+    FLG_JOINT_EDIT_KIND_PIN = 0,    /* the joint stays at `at`, also if that moves it, and is never refined away; one
+                                       that is not there is made on the nearest bone of its part */
+    FLG_JOINT_EDIT_KIND_SPLIT = 1,  /* a new joint, with `name` as its key, on the bone from its parent, at `share` */
+    FLG_JOINT_EDIT_KIND_MERGE = 2,  /* the joint becomes one with its parent, which stays where it is */
+    FLG_JOINT_EDIT_KIND_RENAME = 3, /* the joint is called `name`; its key stays */
+    FLG_JOINT_EDIT_KIND_FORCE_32BIT = 0x7fffffff
 } FlgJointEditKind;
 
 /* Joints are told by their keys (FlgModelView::joint_keys), which survive edits of the drawing: pass the same list with
  * every model. A key without its .L or .R means both. Edits of joints that are not there wait until they are. */
 typedef struct FlgJointEdit {
     uint32_t struct_size; /* the same of all edits of a model */
-    FlgJointEditKind kind; /* default FLG_JOINT_EDIT_PIN */
+    FlgJointEditKind kind; /* default FLG_JOINT_EDIT_KIND_PIN */
     const char* joint;    /* its key */
-    const char* name;     /* for SPLIT and RENAME: UTF-8, 1 to 127 bytes, unique among the model's names; default null */
+    const char* name;     /* for SPLIT and RENAME: UTF-8, 1 to 127 bytes, unique in the model; default null */
     double at[3];         /* for PIN: in the drawing of the joint's part, z at right angles to it; inside of the part.
                              Default 0 */
     double share;         /* for SPLIT: 0 at the parent, 1 at the joint, exclusive; default 0.5 */
@@ -249,7 +249,7 @@ typedef struct FlgModelDesc {
     const char* root_joint;          /* key of the root part's joint; null, or not there: its middle. Default null */
     const FlgJointEdit* joint_edits; /* applied in order; copied. Default null */
     FlgModel previous;               /* what this model was before its parts changed: joints keep the keys they have in
-                                        it, by part and place. Its job may still run. Null: keys are new. Default null */
+                                        it, by part and place. Its job may still run. Default null: keys are new */
 } FlgModelDesc;
 
 FLG_API FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size);
@@ -259,7 +259,7 @@ FLG_API FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size);
  * along the branches, connects parts, merges junctions, and removes short branches and bones. The hierarchy begins in
  * the middle of the trunk; a part that meets no other is another root. Joints of one contour that is its own mirror
  * image are mirror images too. The job fails if an edit pins a joint outside of its part, merges a root or gives two
- * joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost: about 20 us a part. */
+ * joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost: 20 us a part. */
 FLG_API FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job);
 
 /* How a part was attached to the model. */

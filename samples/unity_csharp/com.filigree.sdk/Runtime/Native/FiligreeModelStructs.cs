@@ -204,7 +204,7 @@ namespace Filigree
         public FlgJointEditKind kind;
         /// <summary>its key</summary>
         public byte* joint;
-        /// <summary>for SPLIT and RENAME: UTF-8, 1 to 127 bytes, unique among the model's names; default null</summary>
+        /// <summary>for SPLIT and RENAME: UTF-8, 1 to 127 bytes, unique in the model; default null</summary>
         public byte* name;
         /// <summary>
         /// for PIN: in the drawing of the joint's part, z at right angles to it; inside of the part. Default 0
@@ -251,7 +251,7 @@ namespace Filigree
         public FlgJointEdit* joint_edits;
         /// <summary>
         /// what this model was before its parts changed: joints keep the keys they have in it, by part and place. Its
-        /// job may still run. Null: keys are new. Default null
+        /// job may still run. Default null: keys are new
         /// </summary>
         public FlgModel previous;
     }

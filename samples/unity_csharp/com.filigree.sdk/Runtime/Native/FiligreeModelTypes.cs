@@ -9,17 +9,17 @@ namespace Filigree
     public enum FlgJointEditKind
     {
         /// <summary>
-        /// FLG_JOINT_EDIT_PIN: the joint stays at `at`, where it is or moved there, and is never refined away; one that
+        /// FLG_JOINT_EDIT_KIND_PIN: the joint stays at `at`, also if that moves it, and is never refined away; one that
         /// is not there is made on the nearest bone of its part
         /// </summary>
         Pin = 0,
         /// <summary>
-        /// FLG_JOINT_EDIT_SPLIT: a new joint with the key `name` on the bone to the joint from its parent, at `share`
+        /// FLG_JOINT_EDIT_KIND_SPLIT: a new joint, with `name` as its key, on the bone from its parent, at `share`
         /// </summary>
         Split = 1,
-        /// <summary>FLG_JOINT_EDIT_MERGE: the joint becomes one with its parent, which stays where it is</summary>
+        /// <summary>FLG_JOINT_EDIT_KIND_MERGE: the joint becomes one with its parent, which stays where it is</summary>
         Merge = 2,
-        /// <summary>FLG_JOINT_EDIT_RENAME: the joint is called `name`; its key stays</summary>
+        /// <summary>FLG_JOINT_EDIT_KIND_RENAME: the joint is called `name`; its key stays</summary>
         Rename = 3,
     }
 
