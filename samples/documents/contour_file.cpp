@@ -10,6 +10,7 @@
 
 #include "documents/extensions.h"
 #include "documents/failure.h"
+#include "documents/text_lines.h"
 #include "filigree/filigree_io.h"
 
 namespace flg::cli {
@@ -28,7 +29,8 @@ std::vector<double> numbers_of(const std::string& path, size_t line, const std::
         double value = 0;
         const auto [next, error] = std::from_chars(at + (*at == '+'), end, value);
         const bool is_apart = next == end || *next == ' ' || *next == '\t';
-        if (error != std::errc() || !is_apart || numbers.size() == 4) fail(path, line, "'" + text + "' is no point");
+        if (error != std::errc() || !is_apart || numbers.size() == 4)
+            fail(path, line, quoted_line(text) + " is no point");
         numbers.push_back(value);
         at = next;
     }
@@ -99,7 +101,7 @@ ContourArrays read_contour_file(const std::string& path) {
     ContourArrays contour;
     double announced = 0;  // points, by a sketch's first line
     size_t line = 0;
-    for (std::string text; std::getline(file, text);) {
+    for (std::string text; next_line(file, text);) {
         ++line;
         const size_t comment = text.find('#');
         if (comment != std::string::npos) text.resize(comment);
@@ -110,13 +112,14 @@ ContourArrays read_contour_file(const std::string& path) {
         const std::vector<double> numbers = numbers_of(path, line, text);
         if (numbers.size() == 1 && contour.points.empty() && announced == 0) {
             announced = numbers[0];
-            if (!(announced >= 1)) fail(path, line, "'" + text + "' is no number of points");
+            if (!(announced >= 1)) fail(path, line, quoted_line(text) + " is no number of points");
             continue;
         }
         if (numbers.size() != (announced > 0 ? 3u : 2u))
-            fail(path, line, "'" + text + "' is no point: " + (announced > 0 ? "x y z" : "x y") + " are expected");
+            fail(path, line,
+                 quoted_line(text) + " is no point: " + (announced > 0 ? "x y z" : "x y") + " are expected");
         if (announced > 0 && !contour.points.empty() && numbers[2] != contour.depth)
-            fail(path, line, "'" + text + "' is not in the plane of the points before: z must be the same");
+            fail(path, line, quoted_line(text) + " is not in the plane of the points before: z must be the same");
         if (announced > 0) contour.depth = numbers[2];
         contour.points.insert(contour.points.end(), numbers.begin(), numbers.begin() + 2);
     }

@@ -114,11 +114,12 @@ void read_thresholds(const JsonPlace& item, FlgBoneThresholds& out) {
     if (const auto place = item.find("merge")) out.merge = place->number(0, 10);
     if (const auto place = item.find("prune")) out.prune = place->number(0, 10);
     if (const auto place = item.find("collapse")) out.collapse = place->number(0, 10);
+    if (const auto place = item.find("detail")) out.detail = place->number(0, 20);
 }
 
 DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, ModelDrawing& drawing) {
     item.allow({"name", "contour", "curve", "at", "turn", "scale", "thickness", "mirrored", "simplify", "merge",
-                "prune", "collapse", "color", "metallic", "roughness"});
+                "prune", "collapse", "detail", "color", "metallic", "roughness", "parent", "parent_joint"});
     DrawnPart part;
     part.name = item.at("name").text();
     const auto contour = item.find("contour"), curve = item.find("curve");
@@ -133,10 +134,36 @@ DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, 
     read_placement(item, part);
     if (const auto place = item.find("thickness")) part.thickness = place->number(0.01, 100);
     if (const auto place = item.find("mirrored")) part.is_mirrored = place->flag();
+    if (const auto place = item.find("parent")) part.parent = place->text();
+    if (const auto place = item.find("parent_joint")) part.parent_joint = place->text();
     read_look(item, part, drawing);
     part.thresholds = drawing.thresholds;
     read_thresholds(item, *part.thresholds);
     return part;
+}
+
+// In the order of FlgJointEditKind.
+constexpr std::initializer_list<const char*> joint_edits = {"pin", "split", "merge", "rename"};
+
+JointEdit read_joint_edit(const JsonPlace& item) {
+    item.allow({"joint", "edit", "at", "name", "share"});
+    JointEdit edit;
+    edit.joint = item.at("joint").text();
+    edit.kind = static_cast<FlgJointEditKind>(item.at("edit").word(joint_edits));
+    if (edit.kind == FLG_JOINT_EDIT_KIND_PIN) {
+        const std::vector<double> at = read_numbers(item.at("at"), 3);
+        std::copy(at.begin(), at.end(), edit.at.begin());
+    }
+    if (edit.kind == FLG_JOINT_EDIT_KIND_SPLIT || edit.kind == FLG_JOINT_EDIT_KIND_RENAME)
+        edit.name = item.at("name").text();
+    if (const auto place = item.find("share")) edit.share = place->real(0, 1);
+    return edit;
+}
+
+uint32_t part_named(const ModelDrawing& drawing, const std::string& name, const std::string& subject) {
+    for (uint32_t p = 0; p < drawing.parts.size(); ++p)
+        if (drawing.parts[p].name == name) return p;
+    throw InputError(subject + ": there is no part " + name);
 }
 
 }  // namespace
@@ -148,7 +175,8 @@ ModelDrawing read_model_drawing(const std::string& path) {
 ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& subject,
                               const std::filesystem::path& folder) {
     const JsonPlace whole(json, subject + ": model");
-    whole.allow({"parts", "mirror", "simplify", "merge", "prune", "collapse"});
+    whole.allow(
+        {"parts", "mirror", "simplify", "merge", "prune", "collapse", "detail", "root", "root_joint", "joints"});
     ModelDrawing drawing;
     if (const auto place = whole.find("mirror")) {
         const std::vector<double> plane = read_numbers(*place, 4);
@@ -157,6 +185,10 @@ ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& sub
     read_thresholds(whole, drawing.thresholds);
     for (const JsonPlace& item : whole.at("parts").items()) drawing.parts.push_back(read_part(item, folder, drawing));
     if (drawing.parts.empty()) whole.at("parts").fail("is empty");
+    if (const auto place = whole.find("root")) drawing.root = place->text();
+    if (const auto place = whole.find("root_joint")) drawing.root_joint = place->text();
+    if (const auto place = whole.find("joints"))
+        for (const JsonPlace& item : place->items()) drawing.joint_edits.push_back(read_joint_edit(item));
     return drawing;
 }
 
@@ -191,6 +223,8 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
         part.thickness = drawn.thickness;
         part.mirrored = drawn.is_mirrored;
         part.thresholds = drawn.thresholds ? &*drawn.thresholds : nullptr;
+        if (!drawn.parent.empty()) part.parent = part_named(drawing, drawn.parent, name);
+        part.parent_joint = drawn.parent_joint.empty() ? nullptr : drawn.parent_joint.c_str();
         parts.push_back(part);
     }
     FlgModelDesc desc = flgModelDefaults();
@@ -198,6 +232,19 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
     desc.part_count = static_cast<uint32_t>(parts.size());
     desc.thresholds = &drawing.thresholds;
     std::copy(drawing.mirror.begin(), drawing.mirror.end(), desc.mirror);
+    if (!drawing.root.empty()) desc.root = part_named(drawing, drawing.root, subject);
+    desc.root_joint = drawing.root_joint.empty() ? nullptr : drawing.root_joint.c_str();
+    std::vector<FlgJointEdit> edits;
+    for (const JointEdit& edit : drawing.joint_edits) {
+        FlgJointEdit& out = edits.emplace_back(flgJointEditDefaults());
+        out.kind = edit.kind;
+        out.joint = edit.joint.c_str();
+        out.name = edit.name.empty() ? nullptr : edit.name.c_str();
+        std::copy(edit.at.begin(), edit.at.end(), out.at);
+        out.share = edit.share;
+    }
+    desc.joint_edits = edits.data();
+    desc.joint_edit_count = static_cast<uint32_t>(edits.size());
     FlgModel model = {};
     FlgJob job = {};
     check(flgModelCreate(session.context(), &desc, &model, &job), subject);

@@ -26,6 +26,15 @@ struct DrawnPart {
     bool is_mirrored = false;
     std::optional<FlgBoneThresholds> thresholds;
     FlgMeshMaterial material = flgMeshMaterialDefaults();  // without a name
+    std::string parent, parent_joint;                      // names; empty: to be found
+};
+
+// As FlgJointEdit.
+struct JointEdit {
+    FlgJointEditKind kind = FLG_JOINT_EDIT_KIND_PIN;
+    std::string joint, name;
+    std::array<double, 3> at = {0, 0, 0};
+    double share = 0.5;
 };
 
 struct ModelDrawing {
@@ -33,7 +42,9 @@ struct ModelDrawing {
     std::array<float, 4> mirror = {1, 0, 0, 0};
     FlgBoneThresholds thresholds = flgBoneThresholdsDefaults();
     bool has_colors = false;
-    bool repair = false;  // contours that cross themselves
+    bool repair = false;           // contours that cross themselves
+    std::string root, root_joint;  // of the part, and of its joint; empty: to be found
+    std::vector<JointEdit> joint_edits;
 };
 
 // Throws InputError, with file and place.

@@ -61,8 +61,12 @@ void bounded_dp(Workshop& workshop, Studio& studio) {
         upright.push_back({{lengths.back(), s.left}, {lengths.back(), -s.right}});
     }
     std::deque<Sketch> above, below;
-    FlgBoneThresholds thresholds = {
-        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.5f, .merge = 0.0f, .prune = 0.0f, .collapse = 0.0f};
+    FlgBoneThresholds thresholds = {.struct_size = sizeof(FlgBoneThresholds),
+                                    .simplify = 0.5f,
+                                    .merge = 0.0f,
+                                    .prune = 0.0f,
+                                    .collapse = 0.0f,
+                                    .detail = 0};
     uint32_t joints = 0;
     while (above.size() < 4) {
         const FlgModelView model = make_model(workshop, {&part, 1}, thresholds);
@@ -148,7 +152,8 @@ void over_simplification(Workshop& workshop, Studio& studio) {
                                            .simplify = kThreshold,
                                            .merge = 0.0f,
                                            .prune = 0.0f,
-                                           .collapse = 0.0f});
+                                           .collapse = 0.0f,
+                                           .detail = 0});
     Line axis;
     for (const FlgAxisSample& s : samples) axis.push_back(sample_at(s));
     std::vector<bool> by_axis, by_shape(axis.size());
@@ -251,8 +256,12 @@ Line strip(glm::dvec2 from, glm::dvec2 to, double half_width) {
 // Fig. 9: a leg on a torso. Balls and cones are what tells whether they meet.
 void connection(Workshop& workshop, Studio& studio) {
     constexpr double kUnit = 0.04;
-    constexpr FlgBoneThresholds kKeepAll = {
-        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.01f, .merge = 0.0f, .prune = 0.0f, .collapse = 0.0f};
+    constexpr FlgBoneThresholds kKeepAll = {.struct_size = sizeof(FlgBoneThresholds),
+                                            .simplify = 0.01f,
+                                            .merge = 0.0f,
+                                            .prune = 0.0f,
+                                            .collapse = 0.0f,
+                                            .detail = 0};
     const Line torso = strip({-2.4, 0.0}, {2.2, 0.3}, 1.0);
     std::deque<Sketch> sketches;
     std::vector<Panel> panels;

@@ -155,17 +155,20 @@ void refinement(Workshop& workshop, Studio& studio) {
                                                 .simplify = 0.0015f,
                                                 .merge = 0.005f,
                                                 .prune = 0.01f,
-                                                .collapse = 0.002f},
+                                                .collapse = 0.002f,
+                                                .detail = 0},
                                                {.struct_size = sizeof(FlgBoneThresholds),
                                                 .simplify = 0.006f,
                                                 .merge = 0.02f,
                                                 .prune = 0.035f,
-                                                .collapse = 0.012f},
+                                                .collapse = 0.012f,
+                                                .detail = 0},
                                                {.struct_size = sizeof(FlgBoneThresholds),
                                                 .simplify = 0.03f,
                                                 .merge = 0.06f,
                                                 .prune = 0.09f,
-                                                .collapse = 0.05f}};
+                                                .collapse = 0.05f,
+                                                .detail = 0}};
     Shelf shelf(workshop);
     std::vector<Panel> panels;
     for (const FlgBoneThresholds& thresholds : kSettings) {
@@ -205,8 +208,12 @@ void overview(Workshop& workshop, Studio& studio) {
         some.parts.resize(count);
         return some;
     };
-    const FlgBoneThresholds coarse = {
-        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.03f, .merge = 0.06f, .prune = 0.09f, .collapse = 0.05f};
+    const FlgBoneThresholds coarse = {.struct_size = sizeof(FlgBoneThresholds),
+                                      .simplify = 0.03f,
+                                      .merge = 0.06f,
+                                      .prune = 0.09f,
+                                      .collapse = 0.05f,
+                                      .detail = 0};
     Shelf shelf(workshop);
     std::vector<Panel> panels;
     const auto add = [&](Panel panel, const char* title) {

@@ -13,6 +13,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t max_parts = 4096;
+constexpr uint32_t max_joint_edits = 65535;
 constexpr size_t max_name = 63;
 constexpr double shear_limit = 1e-4;  // of the scale
 
@@ -28,6 +29,7 @@ FlgModelPart default_model_part() {
     auto part = sized<FlgModelPart>();
     part.placement[0] = part.placement[5] = part.placement[10] = 1;
     part.thickness = 1;
+    part.parent = FLG_NO_INDEX;
     return part;
 }
 
@@ -35,15 +37,24 @@ FlgModelDesc default_model_desc() {
     auto desc = sized<FlgModelDesc>();
     desc.shape_weight = 0.25f;
     desc.mirror[0] = 1;
+    desc.root = FLG_NO_INDEX;
     return desc;
+}
+
+FlgJointEdit default_joint_edit() {
+    auto edit = sized<FlgJointEdit>();
+    edit.kind = FLG_JOINT_EDIT_KIND_PIN;
+    edit.share = 0.5;
+    return edit;
 }
 
 FlgBoneThresholds default_thresholds() {
     return {.struct_size = sizeof(FlgBoneThresholds),
-            .simplify = 0.0025f,
-            .merge = 0.015f,
-            .prune = 0.015f,
-            .collapse = 0.005f};
+            .simplify = 0.01f,
+            .merge = 0.03f,
+            .prune = 0.03f,
+            .collapse = 0.01f,
+            .detail = 1};
 }
 
 // Those without a struct of their own take `others`.
@@ -60,6 +71,10 @@ FlgBoneThresholds read_thresholds(const FlgBoneThresholds* thresholds, const Flg
     check(read.merge, "merge");
     check(read.prune, "prune");
     check(read.collapse, "collapse");
+    char field[96];
+    std::snprintf(field, sizeof field, "%s.detail", argument);
+    check_range(read.detail == 0 || (read.detail >= 0.05f && read.detail <= 20), field, read.detail,
+                "0, or 0.05 to 20");
     return read;
 }
 
@@ -105,6 +120,8 @@ ModelPart read_part(Context& context, const FlgModelPart& in, const FlgBoneThres
     char default_name[16];
     std::snprintf(default_name, sizeof default_name, "part%u", number);
     out.name = in.name ? in.name : default_name;
+    out.parent = in.parent;
+    if (in.parent_joint) out.parent_joint = in.parent_joint;
     if (out.name.empty() || out.name.size() > max_name)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].name has %zu bytes, must have 1 to %zu", number,
                       out.name.size(), max_name);
@@ -129,6 +146,78 @@ void mirror_part(ModelPart& part, const HeldModel& model) {
     part.placement = (part.placement - 2 * n * (n.transpose() * part.placement)).eval();
     part.placement.col(3) += 2 * model.mirror_offset * n;
     part.is_mirrored = true;
+}
+
+// Hosts count their own parts; here mirror images count too. An image hangs on an image if there is one.
+void read_parents(uint32_t part_count, HeldModel& model, Memory* memory) {
+    std::pmr::vector<uint32_t> number(part_count, 0, memory);
+    for (uint32_t p = static_cast<uint32_t>(model.parts.size()); p-- > 0;) number[model.parts[p].source] = p;
+    const auto check_part = [&](uint32_t index, const char* argument) {
+        check_range(index < part_count, argument, index, "the index of a part, or FLG_NO_INDEX");
+    };
+    for (uint32_t p = 0; p < model.parts.size(); ++p) {
+        ModelPart& part = model.parts[p];
+        if (part.parent == no_number) {
+            if (!part.parent_joint.empty())
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].parent_joint needs a parent", part.source);
+            continue;
+        }
+        char field[48];
+        std::snprintf(field, sizeof field, "desc.parts[%u].parent", part.source);
+        check_part(part.parent, field);
+        if (part.parent == part.source) {
+            part.parent = p;
+            continue;
+        }
+        const uint32_t parent = number[part.parent];
+        part.parent = part.is_mirrored && model.parts[parent].twin != no_number ? parent + 1 : parent;
+    }
+    for (uint32_t p = 0; p < model.parts.size(); ++p) {
+        uint32_t at = p;
+        for (uint32_t steps = 0; at != no_number && model.parts[at].parent != at; at = model.parts[at].parent) {
+            if (++steps > model.parts.size())
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                              "desc.parts[%u].parent makes a cycle: %s would hang on itself", model.parts[at].source,
+                              model.parts[at].name.c_str());
+        }
+    }
+    if (model.root == no_number) return;
+    check_part(model.root, "desc.root");
+    model.root = number[model.root];
+    const ModelPart& root = model.parts[model.root];
+    if (root.parent != no_number && root.parent != model.root)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.root is %s, which has a parent: desc.parts[%u].parent is set",
+                      root.name.c_str(), root.source);
+}
+
+JointEdit read_joint_edit(const FlgJointEdit& in, uint32_t number, Memory* memory) {
+    constexpr size_t longest = 127;
+    char name[64];
+    const auto field = [&](const char* member) {
+        std::snprintf(name, sizeof name, "desc.joint_edits[%u].%s", number, member);
+        return name;
+    };
+    JointEdit out(memory);
+    check_enum(in.kind, FLG_JOINT_EDIT_KIND_PIN, FLG_JOINT_EDIT_KIND_RENAME, field("kind"), "FLG_JOINT_EDIT_KIND_");
+    out.kind = in.kind;
+    const auto read_text = [&](const char* text, const char* member, std::pmr::string& to) {
+        require(text, field(member));
+        to = text;
+        if (to.empty() || to.size() > longest)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s has %zu bytes, must have 1 to %zu", field(member), to.size(),
+                          longest);
+    };
+    read_text(in.joint, "joint", out.joint);
+    if (in.kind == FLG_JOINT_EDIT_KIND_SPLIT || in.kind == FLG_JOINT_EDIT_KIND_RENAME)
+        read_text(in.name, "name", out.name);
+    for (int i = 0; i < 3; ++i) {
+        check_range(std::abs(in.at[i]) <= 1e30, field("at"), in.at[i], "finite and at most 1e30 in size");
+        out.at[i] = in.at[i];
+    }
+    check_range(in.kind != FLG_JOINT_EDIT_KIND_SPLIT || (in.share > 0 && in.share < 1), field("share"), in.share,
+                "between 0 and 1");
+    out.share = in.share;
+    return out;
 }
 
 }  // namespace
@@ -185,6 +274,10 @@ FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size) {
     return init(part, struct_size, default_model_part(), "part");
 }
 
+FlgResult flgJointEditInit(FlgJointEdit* edit, uint32_t struct_size) {
+    return init(edit, struct_size, default_joint_edit(), "edit");
+}
+
 FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size) {
     return init(desc, struct_size, default_model_desc());
 }
@@ -220,6 +313,22 @@ FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel*
             mirror_part(out->parts.back(), *out);
             out->parts[original].twin = original + 1;
             out->parts[original + 1].twin = original;
+        }
+        out->root = read.root;
+        if (read.root_joint) out->root_joint = read.root_joint;
+        read_parents(read.part_count, *out, memory);
+        check_range(read.joint_edit_count <= max_joint_edits, "desc.joint_edit_count", read.joint_edit_count,
+                    "at most 65535");
+        if (read.joint_edit_count > 0) require(read.joint_edits, "desc.joint_edits");
+        for (uint32_t e = 0; e < read.joint_edit_count; ++e) {
+            char place[40];
+            std::snprintf(place, sizeof place, "desc.joint_edits[%u]", e);
+            out->edits.push_back(
+                read_joint_edit(read_element(read.joint_edits, e, default_joint_edit(), place), e, memory));
+        }
+        if (read.previous.id != 0) {
+            out->previous = self.models.get(read.previous.id, "desc.previous");
+            submission.read(*out->previous, "desc.previous");
         }
         submission.job().strand.start(make_model(submission.pace(), out));
         *out_model = {submission.commit(self.models, out, out_job)};

@@ -435,25 +435,30 @@ Task<bool> cut_slices(Pace& pace, const Contour& contour, std::span<AxisSample> 
 
 }  // namespace
 
-Task<PartSkeleton> axis_branches(Pace& pace, const Contour& contour, AxisGraph graph, double spacing) {
+Task<PartSkeleton> axis_branches(Pace& pace, const Contour& contour, AxisGraph graph, double spacing,
+                                 std::span<const uint8_t> stops) {
     PartSkeleton part(pace.memory());
     part.graph = std::move(graph);
     const auto& arcs = part.graph.arcs;
     // An arc's ends, each two, by node.
     const Groups ends = co_await group_by(pace, 2 * arcs.size(), part.graph.nodes.size(),
                                           [&](uint32_t end) { return arcs[end / 2][end % 2]; });
+    const auto goes_on = [&](uint32_t node) {
+        return ends.of(node).size() == 2 && (stops.empty() || stops[node] == 0);
+    };
     const auto neighbour = [&](uint32_t end) { return arcs[end / 2][1 - end % 2]; };
     Path path{part.graph, std::pmr::vector<uint32_t>(pace.memory())};
     path.nodes.reserve(part.graph.nodes.size());
     Slice slice(Cost::tens_of_ns);
     for (uint32_t node = 0; node < part.graph.nodes.size(); ++node) {
         if (slice.is_over()) co_await pace;
-        if (ends.of(node).size() == 2) continue;
+        if (goes_on(node)) continue;
         for (const uint32_t begin : ends.of(node)) {
             path.nodes.clear();
             path.nodes.push_back(node);
             path.nodes.push_back(neighbour(begin));
-            for (auto here = ends.of(path.nodes.back()); here.size() == 2; here = ends.of(path.nodes.back())) {
+            while (goes_on(path.nodes.back())) {
+                const auto here = ends.of(path.nodes.back());
                 const uint32_t before = path.nodes[path.nodes.size() - 2], first = neighbour(here[0]);
                 path.nodes.push_back(first == before ? neighbour(here[1]) : first);
                 if (slice.is_over()) co_await pace;

@@ -24,6 +24,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "runtime/task.h"
@@ -61,14 +62,18 @@ struct AxisBranch {
 };
 
 struct PartSkeleton {
-    explicit PartSkeleton(Memory* memory) : graph(memory), branches(memory), samples(memory) {}
+    explicit PartSkeleton(Memory* memory) : graph(memory), branches(memory), samples(memory), twins(memory) {}
 
     AxisGraph graph;
     std::pmr::vector<AxisBranch> branches;  // none where the axis is a single node
     std::pmr::vector<AxisSample> samples;
+    // Where the shape is its own mirror image: by branch its image, itself: on the mirror axis. None: it is not.
+    std::pmr::vector<uint32_t> twins;
 };
 
-// Samples are `spacing` apart at most. Takes about 5 ns a sample and edge of the contour.
-Task<PartSkeleton> axis_branches(Pace& pace, const Contour& contour, AxisGraph graph, double spacing);
+// Samples are `spacing` apart at most. A branch ends also where `stops` has 1 for a node; none: nowhere else. Takes about
+// 5 ns a sample and edge of the contour.
+Task<PartSkeleton> axis_branches(Pace& pace, const Contour& contour, AxisGraph graph, double spacing,
+                                 std::span<const uint8_t> stops = {});
 
 }  // namespace flg

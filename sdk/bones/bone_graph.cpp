@@ -14,8 +14,16 @@ double BoneGraph::length(uint32_t bone) const {
     return (joints_[bones_[bone].joints[0]].at - joints_[bones_[bone].joints[1]].at).norm();
 }
 
+uint32_t BoneGraph::bone_between(uint32_t a, uint32_t b) const {
+    uint32_t end = first_end(a);
+    while (end != no_number && other(bone_of(end), a) != b) end = next_end(end);
+    return end == no_number ? no_number : bone_of(end);
+}
+
 uint32_t BoneGraph::add_joint(const Vec3& at, double radius, uint32_t part) {
-    joints_.push_back({at, radius, part, no_number, 0, no_number, no_number});
+    Joint joint;
+    joint.at = at, joint.radius = radius, joint.part = part;
+    joints_.push_back(joint);
     return static_cast<uint32_t>(joints_.size()) - 1;
 }
 
@@ -42,6 +50,7 @@ uint32_t BoneGraph::split(uint32_t bone, const Vec3& at, double radius) {
     for (const uint32_t joint : old.joints) --joints_[joint].degree;
     const uint32_t part = old.part == no_number ? joints_[old.joints[0]].part : old.part;
     const uint32_t joint = add_joint(at, radius, part);
+    joints_[joint].own_degree = 2;
     add_bone(old.joints[0], joint, old.part);
     add_bone(joint, old.joints[1], old.part);
     return joint;

@@ -20,13 +20,19 @@ inline constexpr uint32_t no_number = 0xffffffffu;
 
 class BoneGraph {
 public:
+    // What refinement does with a joint: one on the mirror axis of its part is kept where an image could be kept too; one
+    // that is pinned is never moved or removed.
+    enum class Hold : uint8_t { none, middle, pinned };
     struct Joint {
         Vec3 at;
         double radius;
         uint32_t part;
-        uint32_t heir;  // what it was contracted to or cut off from; no_number: it is there
-        uint32_t degree;
-        uint32_t first, last;  // ends, chained; those of bones that are gone are passed over
+        uint32_t heir = no_number;  // what it was contracted to or cut off from; no_number: it is there
+        uint32_t degree = 0;
+        uint32_t first = no_number, last = no_number;  // ends, chained; those of bones that are gone are passed over
+        uint32_t label = no_number;                    // who it is, for those who name joints
+        uint32_t own_degree = no_number;               // before parts were connected; no_number: as it is now
+        Hold hold = Hold::none;
     };
     struct Bone {
         uint32_t joints[2];
@@ -48,6 +54,13 @@ public:
         return ends[0] == joint ? ends[1] : ends[0];
     }
     double length(uint32_t bone) const;
+    // Whether its part ends or forks here.
+    bool is_end(uint32_t joint) const {
+        const Joint& j = joints_[joint];
+        return (j.own_degree == no_number ? j.degree : j.own_degree) != 2;
+    }
+    // The bone between two joints, no_number: there is none. Linear in the first one's bones.
+    uint32_t bone_between(uint32_t a, uint32_t b) const;
 
     uint32_t add_joint(const Vec3& at, double radius, uint32_t part);
     uint32_t add_bone(uint32_t a, uint32_t b, uint32_t part);

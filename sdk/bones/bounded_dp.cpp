@@ -30,6 +30,23 @@ struct Worst {
     uint32_t at = 0;
 };
 
+// Whether a bone crosses the slices from `begin` to `end`.
+bool crosses_slices(std::span<const AxisSample> samples, const Range& bone, uint32_t begin, uint32_t end) {
+    const Point2 &a = samples[bone.begin].at, &b = samples[bone.end].at;
+    for (uint32_t i = begin; i < end; ++i) {
+        const AxisSample& s = samples[i];
+        const Point2& n = s.left_of;
+        const double front_a = (a.x - s.at.x) * n.y - (a.y - s.at.y) * n.x;
+        const double front_b = (b.x - s.at.x) * n.y - (b.y - s.at.y) * n.x;
+        if (front_a > 0 || front_b < 0 || front_a == front_b) return false;
+        const double left_a = (a.x - s.at.x) * n.x + (a.y - s.at.y) * n.y;
+        const double left_b = (b.x - s.at.x) * n.x + (b.y - s.at.y) * n.y;
+        const double left = left_a + front_a / (front_a - front_b) * (left_b - left_a);
+        if (left > s.left || left < -s.right) return false;
+    }
+    return true;
+}
+
 class Branch {
 public:
     Branch(std::span<const AxisSample> samples, double shape_weight, Memory* memory)
@@ -71,23 +88,6 @@ public:
             if (error > worst.error) worst = {error, i};
         }
         return worst;
-    }
-
-    // Whether a bone crosses the slices from `begin` to `end`.
-    bool crosses_slices(const Range& bone, uint32_t begin, uint32_t end) const {
-        const Point2 &a = samples_[bone.begin].at, &b = samples_[bone.end].at;
-        for (uint32_t i = begin; i < end; ++i) {
-            const AxisSample& s = samples_[i];
-            const Point2& n = s.left_of;
-            const double front_a = (a.x - s.at.x) * n.y - (a.y - s.at.y) * n.x;
-            const double front_b = (b.x - s.at.x) * n.y - (b.y - s.at.y) * n.x;
-            if (front_a > 0 || front_b < 0 || front_a == front_b) return false;
-            const double left_a = (a.x - s.at.x) * n.x + (a.y - s.at.y) * n.y;
-            const double left_b = (b.x - s.at.x) * n.x + (b.y - s.at.y) * n.y;
-            const double left = left_a + front_a / (front_a - front_b) * (left_b - left_a);
-            if (left > s.left || left < -s.right) return false;
-        }
-        return true;
     }
 
 private:
@@ -144,7 +144,7 @@ Task<std::pmr::vector<uint32_t>> bounded_dp(Pace& pace, const Contour& contour, 
         for (size_t number = 0; number + 1 < joints.size() && is_inside; ++number) {
             const Range bone{joints[number], joints[number + 1]};
             for (Portion part(slice, bone.begin + 1, bone.end); is_inside && part.next();) {
-                is_inside = branch.crosses_slices(bone, part.begin, part.end);
+                is_inside = crosses_slices(samples, bone, part.begin, part.end);
                 if (part.is_over()) co_await pace;
             }
             // Neighbours on an axis that is inside of the shape need no look at the contour.
@@ -160,6 +160,23 @@ Task<std::pmr::vector<uint32_t>> bounded_dp(Pace& pace, const Contour& contour, 
     }
     co_await pace;
     co_return joints;
+}
+
+Task<bool> bone_is_inside(Pace& pace, const Contour& contour, std::span<const AxisSample> samples, uint32_t from,
+                          uint32_t to) {
+    const Range bone{from, to};
+    bool is_inside = true;
+    Slice slice(Cost::tens_of_ns);
+    for (Portion part(slice, from + 1, to); is_inside && part.next();) {
+        is_inside = crosses_slices(samples, bone, part.begin, part.end);
+        if (part.is_over()) co_await pace;
+    }
+    const uint32_t edges = bone.size() == 1 ? 0 : contour.size();
+    for (Portion part(slice, 0, edges); is_inside && part.next();) {
+        is_inside = !meets_edges(contour, samples[from].at, samples[to].at, part.begin, part.end);
+        if (part.is_over()) co_await pace;
+    }
+    co_return is_inside;
 }
 
 }  // namespace flg

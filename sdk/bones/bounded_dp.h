@@ -24,4 +24,8 @@ namespace flg {
 Task<std::pmr::vector<uint32_t>> bounded_dp(Pace& pace, const Contour& contour, std::span<const AxisSample> samples,
                                             double threshold, double shape_weight);
 
+// Whether a bone from one sample to a later one is inside of the shape.
+Task<bool> bone_is_inside(Pace& pace, const Contour& contour, std::span<const AxisSample> samples, uint32_t from,
+                          uint32_t to);
+
 }  // namespace flg

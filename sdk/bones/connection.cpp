@@ -28,34 +28,51 @@ struct Nearby {
     uint32_t part;
 };
 
-// What the new part is connected with: bones, and joints that have none.
-class EarlierParts {
-public:
-    EarlierParts(const BoneGraph& graph, const NewPart& part, Memory* memory)
-        : graph_(graph),
-          part_(part),
-          low_(Vec3::Constant(std::numeric_limits<double>::infinity())),
-          high_(-low_),
-          near_(memory) {}
+// A box around a part, as far as its joints reach.
+struct Reach {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
 
-    // The box that they have to reach.
     void widen(const Vec3& at, double radius) {
-        low_ = low_.cwiseMin(at - Vec3::Constant(nearness * radius));
-        high_ = high_.cwiseMax(at + Vec3::Constant(nearness * radius));
+        low = low.cwiseMin(at - Vec3::Constant(nearness * radius));
+        high = high.cwiseMax(at + Vec3::Constant(nearness * radius));
     }
+    bool meets(const BoneGraph::Joint& a, const BoneGraph::Joint& b) const {
+        const double radius = nearness * std::max(a.radius, b.radius);
+        return ((a.at.cwiseMin(b.at) - high).array() <= radius).all() &&
+               ((low - a.at.cwiseMax(b.at)).array() <= radius).all();
+    }
+};
+
+Nearby near_bone(const BoneGraph& graph, uint32_t number, const Vec3& point, uint32_t child) {
+    const BoneGraph::Bone& bone = graph.bones()[number];
+    const BoneGraph::Joint &a = graph.joints()[bone.joints[0]], &b = graph.joints()[bone.joints[1]];
+    const Vec3 along = b.at - a.at;
+    const double length2 = along.squaredNorm();
+    const double share = length2 > 0 ? std::clamp((point - a.at).dot(along) / length2, 0.0, 1.0) : 0;
+    const double distance = (point - a.at - share * along).norm();
+    return {{distance, child, number, no_number, share}, std::lerp(a.radius, b.radius, share), bone.part};
+}
+
+// Bones, and joints that have none, of the parts that count.
+class Candidates {
+public:
+    Candidates(const BoneGraph& graph, const Reach* reach, Memory* memory)
+        : graph_(graph), reach_(reach), near_(memory) {}
 
     // Lists a bone, or a joint after all bones. Returns what that cost.
-    uint32_t list(uint32_t number) {
+    template <class Counts>
+    uint32_t list(uint32_t number, Counts counts) {
         const auto& joints = graph_.joints();
-        if (number < part_.first_bone) {
+        const auto bones = static_cast<uint32_t>(graph_.bones().size());
+        if (number < bones) {
             const BoneGraph::Bone& bone = graph_.bones()[number];
-            if (bone.gone || bone.part == no_number || bone.part == part_.twin) return 1;
-            if (reaches(joints[bone.joints[0]], joints[bone.joints[1]])) near_.push_back(number);
+            if (bone.gone || bone.part == no_number || !counts(bone.part)) return 1;
+            if (is_near(joints[bone.joints[0]], joints[bone.joints[1]])) near_.push_back(number);
             return 1;
         }
-        const uint32_t joint = number - part_.first_bone;
+        const uint32_t joint = number - bones;
         uint32_t work = 1;
-        if (!graph_.is_there(joint) || joints[joint].part == part_.twin || !reaches(joints[joint], joints[joint]))
+        if (!graph_.is_there(joint) || !counts(joints[joint].part) || !is_near(joints[joint], joints[joint]))
             return work;
         for (uint32_t end = graph_.first_end(joint); end != no_number; end = graph_.next_end(end), ++work)
             if (graph_.bones()[BoneGraph::bone_of(end)].part != no_number) return work;
@@ -67,70 +84,47 @@ public:
 
     Nearby from(const Vec3& point, uint32_t child, uint32_t i) const {
         const uint32_t number = near_[i];
-        if (number >= part_.first_bone) {
-            const uint32_t joint = number - part_.first_bone;
-            const BoneGraph::Joint& j = graph_.joints()[joint];
-            return {{(point - j.at).norm(), child, no_number, joint, 0}, j.radius, j.part};
-        }
-        const BoneGraph::Bone& bone = graph_.bones()[number];
-        const BoneGraph::Joint &a = graph_.joints()[bone.joints[0]], &b = graph_.joints()[bone.joints[1]];
-        const Vec3 along = b.at - a.at;
-        const double length2 = along.squaredNorm();
-        const double share = length2 > 0 ? std::clamp((point - a.at).dot(along) / length2, 0.0, 1.0) : 0;
-        const double distance = (point - a.at - share * along).norm();
-        return {{distance, child, number, no_number, share}, std::lerp(a.radius, b.radius, share), bone.part};
+        const auto bones = static_cast<uint32_t>(graph_.bones().size());
+        if (number < bones) return near_bone(graph_, number, point, child);
+        const BoneGraph::Joint& j = graph_.joints()[number - bones];
+        return {{(point - j.at).norm(), child, no_number, number - bones, 0}, j.radius, j.part};
     }
 
 private:
-    bool reaches(const BoneGraph::Joint& a, const BoneGraph::Joint& b) const {
-        const double radius = nearness * std::max(a.radius, b.radius);
-        return ((a.at.cwiseMin(b.at) - high_).array() <= radius).all() &&
-               ((low_ - a.at.cwiseMax(b.at)).array() <= radius).all();
-    }
+    bool is_near(const BoneGraph::Joint& a, const BoneGraph::Joint& b) const { return !reach_ || reach_->meets(a, b); }
 
     const BoneGraph& graph_;
-    const NewPart& part_;
-    Vec3 low_, high_;
+    const Reach* reach_;
     std::pmr::vector<uint32_t> near_;  // bones, then joints
 };
 
-// From ends and junctions of the new part to all that is near.
-Task<Place> nearest_of_joints(Pace& pace, const BoneGraph& graph, const NewPart& part, const EarlierParts& earlier) {
-    Place inside, touching;
-    Slice slice(Cost::tens_of_ns);
-    for (uint32_t j = part.first_joint; j < graph.joints().size(); ++j) {
-        const BoneGraph::Joint& joint = graph.joints()[j];
-        for (uint32_t i = 0; joint.degree != 2 && i < earlier.count(); ++i) {
-            const Nearby near = earlier.from(joint.at, j, i);
-            const double distance = near.place.distance;
-            if (distance <= near.radius && distance < inside.distance) inside = near.place;
-            if (distance <= nearness * (near.radius + joint.radius) && distance < touching.distance)
-                touching = near.place;
-            if (slice.is_over()) co_await pace;
-        }
-        if (slice.is_over()) co_await pace;
-    }
-    co_return inside.child != no_number ? inside : touching;
+// Ends and junctions of a part.
+Task<std::pmr::vector<uint32_t>> list_ends(Pace& pace, const BoneGraph& graph, const NewPart& part) {
+    std::pmr::vector<uint32_t> ends(pace.memory());
+    co_await each(pace, part.first_joint, part.end_joint, Cost::some_ns, [&](uint32_t j) {
+        if (graph.is_there(j) && graph.is_end(j)) ends.push_back(j);
+    });
+    co_return ends;
 }
 
-// The same with those parts only that a point of the outline is in, however far.
-Task<Place> nearest_by_outline(Pace& pace, const BoneGraph& graph, const NewPart& part, const EarlierParts& earlier) {
-    std::pmr::vector<bool> meets(part.number, false, pace.memory());
+using Ends = std::span<const uint32_t>;
+
+// From ends and junctions to what counts.
+struct Nearest {
+    Place inside, touching;
+};
+
+Task<Nearest> nearest_of(Pace& pace, const BoneGraph& graph, Ends ends, const Candidates& candidates) {
+    Nearest nearest;
     Slice slice(Cost::tens_of_ns);
-    for (const Vec3& point : part.outline) {
-        for (uint32_t i = 0; i < earlier.count(); ++i) {
-            const Nearby near = earlier.from(point, no_number, i);
-            if (near.place.distance <= near.radius) meets[near.part] = true;
-            if (slice.is_over()) co_await pace;
-        }
-        if (slice.is_over()) co_await pace;
-    }
-    Place nearest;
-    for (uint32_t j = part.first_joint; j < graph.joints().size(); ++j) {
+    for (const uint32_t j : ends) {
         const BoneGraph::Joint& joint = graph.joints()[j];
-        for (uint32_t i = 0; joint.degree != 2 && i < earlier.count(); ++i) {
-            const Nearby near = earlier.from(joint.at, j, i);
-            if (meets[near.part] && near.place.distance < nearest.distance) nearest = near.place;
+        for (uint32_t i = 0; i < candidates.count(); ++i) {
+            const Nearby near = candidates.from(joint.at, j, i);
+            const double distance = near.place.distance;
+            if (distance <= near.radius && distance < nearest.inside.distance) nearest.inside = near.place;
+            if (distance <= nearness * (near.radius + joint.radius) && distance < nearest.touching.distance)
+                nearest.touching = near.place;
             if (slice.is_over()) co_await pace;
         }
         if (slice.is_over()) co_await pace;
@@ -138,10 +132,106 @@ Task<Place> nearest_by_outline(Pace& pace, const BoneGraph& graph, const NewPart
     co_return nearest;
 }
 
+// The nearest place of the parts that count, however far.
+template <class Counts>
+Task<Place> nearest_in(Pace& pace, const BoneGraph& graph, Ends ends, const Candidates& candidates, Counts counts) {
+    Place nearest;
+    Slice slice(Cost::tens_of_ns);
+    for (const uint32_t j : ends) {
+        for (uint32_t i = 0; i < candidates.count(); ++i) {
+            const Nearby near = candidates.from(graph.joints()[j].at, j, i);
+            if (counts(near.part) && near.place.distance < nearest.distance) nearest = near.place;
+            if (slice.is_over()) co_await pace;
+        }
+        if (slice.is_over()) co_await pace;
+    }
+    co_return nearest;
+}
+
+// The same with those parts only that a point of the outline is in.
+Task<Place> nearest_by_outline(Pace& pace, const BoneGraph& graph, Ends ends, const NewPart& part,
+                               const Candidates& candidates, size_t parts) {
+    std::pmr::vector<bool> meets(parts, false, pace.memory());
+    Slice slice(Cost::tens_of_ns);
+    for (const Vec3& point : part.outline) {
+        for (uint32_t i = 0; i < candidates.count(); ++i) {
+            const Nearby near = candidates.from(point, no_number, i);
+            if (near.place.distance <= near.radius) meets[near.part] = true;
+            if (slice.is_over()) co_await pace;
+        }
+        if (slice.is_over()) co_await pace;
+    }
+    co_return co_await nearest_in(pace, graph, ends, candidates, [&](uint32_t p) { return meets[p]; });
+}
+
+template <class Counts>
+Task<void> list_all(Pace& pace, const BoneGraph& graph, Candidates& candidates, Counts counts) {
+    co_await each_by_work(pace, graph.bones().size() + graph.joints().size(), Cost::tens_of_ns,
+                          [&](uint32_t number) { return candidates.list(number, counts); });
+}
+
+// The nearest place of one part to one joint, however far.
+Task<Place> nearest_of_part(Pace& pace, const BoneGraph& graph, uint32_t end, uint32_t part) {
+    const auto counts = [part](uint32_t p) { return p == part; };
+    Candidates candidates(graph, nullptr, pace.memory());
+    co_await list_all(pace, graph, candidates, counts);
+    const uint32_t ends[] = {end};
+    co_return co_await nearest_in(pace, graph, ends, candidates, counts);
+}
+
+// The nearest place of a wide part that an end is in.
+Task<Place> nearest_in_wide(Pace& pace, const BoneGraph& graph, Ends ends, const OtherParts& others) {
+    Place nearest;
+    for (uint32_t p = 0; p < others.shapes.size(); ++p) {
+        if (!others.shapes[p].outline || !others.may_meet[p]) continue;
+        for (const uint32_t end : ends) {
+            const BoneGraph::Joint& joint = graph.joints()[end];
+            const bool meets = co_await meets_ball(pace, others.shapes[p], joint.at, joint.radius);
+            if (!meets) continue;
+            const Place place = co_await nearest_of_part(pace, graph, end, p);
+            if (place.distance < nearest.distance) nearest = place;
+        }
+    }
+    co_return nearest;
+}
+
+uint32_t part_at(const BoneGraph& graph, const Place& place) {
+    return place.bone != no_number ? graph.bones()[place.bone].part : graph.joints()[place.joint].part;
+}
+
+Vec3 point_at(const BoneGraph& graph, const Place& place) {
+    if (place.bone == no_number) return graph.joints()[place.joint].at;
+    const auto& ends = graph.bones()[place.bone].joints;
+    const Vec3 &from = graph.joints()[ends[0]].at, &to = graph.joints()[ends[1]].at;
+    return from + place.share * (to - from);
+}
+
+// From the root end of a limb to what the limb hangs on, if the joint is inside of that too.
+Task<Place> towards_trunk(Pace& pace, const BoneGraph& graph, Place place, const OtherParts& others) {
+    const BoneGraph::Joint& joint = graph.joints()[place.child];
+    while (!others.links.empty()) {
+        const PartLink& link = others.links[part_at(graph, place)];
+        if (link.event == PartLink::Event::root || !others.may_meet[link.parent]) break;
+        const BoneGraph::Joint& root_end = graph.joints()[graph.heir(link.joint)];
+        if ((point_at(graph, place) - root_end.at).norm() > nearness * (root_end.radius + joint.radius)) break;
+        const Place next = co_await nearest_of_part(pace, graph, place.child, link.parent);
+        if (next.child == no_number) break;
+        const double radius = next.bone == no_number ? graph.joints()[next.joint].radius
+                                                     : near_bone(graph, next.bone, joint.at, next.child).radius;
+        bool is_inside = next.distance <= radius;
+        if (!is_inside && !others.shapes.empty() && others.shapes[link.parent].outline)
+            is_inside = co_await meets_ball(pace, others.shapes[link.parent], joint.at, joint.radius);
+        if (!is_inside) break;
+        place = next;
+    }
+    co_return place;
+}
+
 PartLink connect(BoneGraph& graph, const Place& place) {
     PartLink link;
     if (place.child == no_number) return link;
     link.joint = place.child;
+    link.child = graph.joints()[place.child].part;
     link.event = PartLink::Event::joint_connect;
     link.parent_joint = place.joint;
     if (place.bone != no_number) {
@@ -162,23 +252,69 @@ PartLink connect(BoneGraph& graph, const Place& place) {
     return link;
 }
 
+Task<Reach> reach_of(Pace& pace, const BoneGraph& graph, const NewPart& part) {
+    Reach reach;
+    const uint32_t joints = part.end_joint - part.first_joint;
+    co_await each(pace, joints + part.outline.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        if (i >= joints) return reach.widen(part.outline[i - joints], 0);
+        const BoneGraph::Joint& joint = graph.joints()[part.first_joint + i];
+        reach.widen(joint.at, joint.radius);
+    });
+    co_return reach;
+}
+
 }  // namespace
 
-Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part) {
-    EarlierParts earlier(graph, part, pace.memory());
-    const auto joints = static_cast<uint32_t>(graph.joints().size()) - part.first_joint;
-    co_await each(pace, joints + part.outline.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        if (i >= joints) return earlier.widen(part.outline[i - joints], 0);
-        const BoneGraph::Joint& joint = graph.joints()[part.first_joint + i];
-        earlier.widen(joint.at, joint.radius);
-    });
-    co_await each_by_work(pace, part.first_bone + part.first_joint, Cost::tens_of_ns,
-                          [&](uint32_t number) { return earlier.list(number); });
-    Place place;
-    if (earlier.count() > 0) place = co_await nearest_of_joints(pace, graph, part, earlier);
-    if (earlier.count() > 0 && place.child == no_number)
-        place = co_await nearest_by_outline(pace, graph, part, earlier);
+Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others) {
+    const auto counts = [&](uint32_t p) {
+        return others.may_meet.empty() ? p != part.number : others.may_meet[p] != 0;
+    };
+    const Reach reach = co_await reach_of(pace, graph, part);
+    Candidates candidates(graph, &reach, pace.memory());
+    co_await list_all(pace, graph, candidates, counts);
+    const auto ends = co_await list_ends(pace, graph, part);
+    const Nearest nearest = co_await nearest_of(pace, graph, ends, candidates);
+    Place place = nearest.inside;
+    if (place.child == no_number) place = co_await nearest_in_wide(pace, graph, ends, others);
+    if (place.child == no_number) place = nearest.touching;
+    if (place.child == no_number && candidates.count() > 0) {
+        const size_t parts = std::max<size_t>(others.may_meet.size(), part.number);
+        place = co_await nearest_by_outline(pace, graph, ends, part, candidates, parts);
+    }
+    if (place.child != no_number) place = co_await towards_trunk(pace, graph, place, others);
     co_return connect(graph, place);
+}
+
+Task<PartLink> connect_to_part(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others) {
+    const Reach reach = co_await reach_of(pace, graph, part);
+    std::pmr::vector<uint32_t> ends(pace.memory());
+    co_await each(pace, graph.joints().size(), Cost::tens_of_ns, [&](uint32_t j) {
+        const BoneGraph::Joint& joint = graph.joints()[j];
+        if (!others.may_meet[joint.part] || !graph.is_there(j) || !graph.is_end(j)) return;
+        if (reach.meets(joint, joint)) ends.push_back(j);
+    });
+    if (ends.empty()) co_return PartLink{};
+    Candidates candidates(graph, nullptr, pace.memory());
+    co_await list_all(pace, graph, candidates, [&](uint32_t p) { return p == part.number; });
+    const Nearest nearest = co_await nearest_of(pace, graph, ends, candidates);
+    Place place = nearest.inside;
+    if (place.child == no_number && !others.shapes.empty() && others.shapes[part.number].outline) {
+        for (const uint32_t end : ends) {
+            const BoneGraph::Joint& joint = graph.joints()[end];
+            const bool meets = co_await meets_ball(pace, others.shapes[part.number], joint.at, joint.radius);
+            if (!meets) continue;
+            const Place next = co_await nearest_of_part(pace, graph, end, part.number);
+            if (next.distance < place.distance) place = next;
+        }
+    }
+    co_return connect(graph, place);
+}
+
+Task<PartLink> connect_anyway(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others) {
+    Candidates candidates(graph, nullptr, pace.memory());
+    co_await list_all(pace, graph, candidates, [&](uint32_t p) { return others.may_meet[p] != 0; });
+    const auto ends = co_await list_ends(pace, graph, part);
+    co_return connect(graph, co_await nearest_in(pace, graph, ends, candidates, [](uint32_t) { return true; }));
 }
 
 }  // namespace flg

@@ -6,15 +6,18 @@
 // otherwise (a bone from the bone's nearer end).
 //
 // Departures. Joints are inside of their parts, and balls do not fill them; so parts that meet only at their ends would
-// be left apart. If no joint of the new part is inside of an earlier one, joints count whose balls come near one, and
-// if there is none, parts that a point of the new one's outline is inside of. Bones from part to part are no part's,
-// and nothing is connected to them. A joint so near to a bone's end that the split would make a bone of no length is
-// connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
+// be left apart. If no joint of the new part is inside of an earlier one, joints count that are in a wide part's shape,
+// corners and all (wide_part.h); then joints whose balls come near one; then parts that a point of the new one's
+// outline is inside of. Limbs hang on the trunk, not on each other: where the joint is inside of the root end of a part
+// and of the one that this hangs on, it is connected with the latter. Bones from part to part are no part's, and nothing
+// is connected to them. A joint so near to a bone's end that the split would make a bone of no length is connected to
+// that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
 #pragma once
 
 #include <span>
 
 #include "bones/bone_graph.h"
+#include "bones/wide_part.h"
 #include "runtime/task.h"
 
 namespace flg {
@@ -26,17 +29,30 @@ struct PartLink {
     uint32_t parent = no_number;        // the part it hangs on
     uint32_t joint = no_number;         // of this part, as it was when connected
     uint32_t parent_joint = no_number;  // that the new bone comes from
+    uint32_t child = no_number;         // the part that hangs there: not always the new one
 };
 
-// A part whose joints and bones are the graph's last ones, from these on.
+// A part, whose own joints are these of the graph.
 struct NewPart {
     uint32_t number;
-    uint32_t twin;  // a part that it is never connected with; no_number: none
-    uint32_t first_joint, first_bone;
+    uint32_t first_joint, end_joint;
     std::span<const Vec3> outline;  // points around it
 };
 
-// Connects a part with those before. The graph outlives the task.
-Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part);
+// What it may be connected with. By part; all outlive the task.
+struct OtherParts {
+    std::span<const uint8_t> may_meet;      // 1: yes; none: all but itself
+    std::span<const PartLink> links = {};   // of those before; none: not known
+    std::span<const WidePart> shapes = {};  // none: not known
+};
+
+// Connects a part with the nearest of the others that it meets.
+Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others);
+
+// Likewise with a part whose ends or junctions are inside of this one: that part hangs on this one.
+Task<PartLink> connect_to_part(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others);
+
+// The end or junction of a part and the place of the others that are nearest to each other, wherever they are.
+Task<PartLink> connect_anyway(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others);
 
 }  // namespace flg

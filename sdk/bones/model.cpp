@@ -2,10 +2,13 @@
 #include "bones/model.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
+#include <unordered_set>
 
 #include "bones/bone_graph.h"
-#include "bones/bounded_dp.h"
+#include "bones/hierarchy.h"
+#include "bones/joint_edits.h"
+#include "bones/part_joints.h"
 #include "bones/refinement.h"
 #include "runtime/each.h"
 #include "skeletons/point2.h"
@@ -14,9 +17,10 @@ namespace flg {
 namespace {
 
 constexpr size_t max_joints = 65535;
+constexpr double on_axis = 1e-9;  // of a part's length: joints on its mirror axis are that near
 
-// The joints of a part: of the ends of its branches, and where BoundedDP bends them.
-Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGraph& graph) {
+// The joints of a part: of the ends of its branches, and those chosen along them.
+Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, const PartJoints& chosen, BoneGraph& graph) {
     const ModelPart& placed = model.parts[number];
     const PartSkeleton& skeleton = placed.part->skeleton;
     // What is measured across the axis in the plane, and through the part at right angles to it, on the average.
@@ -29,18 +33,13 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGra
             joint_of[node] = graph.add_joint(placed.place(n.at), n.clearance * radius_scale, number);
         return joint_of[node];
     };
+    const uint32_t first = static_cast<uint32_t>(graph.joints().size());
     if (skeleton.branches.empty()) end_joint(0);
-    if (!placed.branch_simplify.empty() && placed.branch_simplify.size() != skeleton.branches.size())
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].branch_count is %zu; the part has %zu branches",
-                      placed.source, placed.branch_simplify.size(), skeleton.branches.size());
     Slice slice(Cost::tens_of_ns);
     for (size_t b = 0; b < skeleton.branches.size(); ++b) {
         const AxisBranch& branch = skeleton.branches[b];
         const std::span<const AxisSample> samples(skeleton.samples.data() + branch.begin, branch.end - branch.begin);
-        double share = placed.thresholds.simplify;
-        if (!placed.branch_simplify.empty() && placed.branch_simplify[b] >= 0) share = placed.branch_simplify[b];
-        const auto kept = co_await bounded_dp(pace, placed.part->outline, samples, share * model.size / placed.scale,
-                                              model.shape_weight);
+        const std::span<const uint32_t> kept = chosen.of(number, b);
         uint32_t before = end_joint(branch.from);
         for (size_t i = 1; i < kept.size(); ++i) {
             const AxisSample& sample = samples[kept[i]];
@@ -56,16 +55,12 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGra
             throw Failure(FLG_ERROR_LIMIT, "desc.parts have more than %zu joints; larger thresholds make fewer",
                           max_joints);
     }
-}
-
-// Its points, and those half-way between them.
-Task<void> place_outline(Pace& pace, const ModelPart& part, std::pmr::vector<Vec3>& out) {
-    const Contour& contour = part.part->outline;
-    out.clear();
-    out.reserve(2 * contour.size());
-    co_await each(pace, contour.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        out.push_back(part.place(contour.points[i]));
-        out.push_back(part.place(mix(contour.points[i], contour.points[contour.next(i)], 0.5)));
+    if (!placed.part->mirror) co_return;
+    const MirrorAxis& mirror = *placed.part->mirror;
+    co_await each(pace, first, static_cast<uint32_t>(graph.joints().size()), Cost::some_ns, [&](uint32_t j) {
+        BoneGraph::Joint& joint = graph.joints()[j];
+        if (std::abs(mirror.side(placed.drawn(joint.at))) <= on_axis * placed.part->length)
+            joint.hold = BoneGraph::Hold::middle;
     });
 }
 
@@ -82,38 +77,32 @@ Task<void> name_twins(Pace& pace, HeldModel& model) {
     }
 }
 
-// By part that hangs on none, its widest joint.
-Task<std::pmr::vector<uint32_t>> find_roots(Pace& pace, const HeldModel& model, const BoneGraph& graph,
-                                            std::span<const uint32_t> first_joints) {
-    std::pmr::vector<uint32_t> roots(pace.memory());
-    const auto& joints = graph.joints();
-    uint32_t next_part = 0;
-    bool is_root = false;
-    co_await each(pace, joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
-        if (next_part < first_joints.size() && j == first_joints[next_part]) {
-            is_root = model.links[next_part++].event == PartLink::Event::root;
-            if (is_root) roots.push_back(graph.heir(j));
-        }
-        const uint32_t part = next_part - 1;
-        if (!is_root || !graph.is_there(j) || joints[j].part != part) return;
-        uint32_t& root = roots.back();
-        if (joints[root].part != part || joints[j].radius > joints[root].radius) root = j;
+// Names for hosts to tell joints by; parts' names may make two the same.
+Task<void> make_keys_unique(Pace& pace, Hierarchy& hierarchy, const BoneGraph& graph) {
+    std::pmr::unordered_set<std::pmr::string> keys(pace.memory());
+    keys.reserve(graph.joints().size());
+    co_await each(pace, graph.joints().size(), Cost::hundreds_of_ns, [&](uint32_t j) {
+        if (!graph.is_there(j)) return;
+        std::pmr::string& key = hierarchy.labels[graph.joints()[j].label].key;
+        while (!keys.insert(key).second) key.append("_");
     });
-    co_return roots;
 }
 
 }  // namespace
 
-void HeldModel::show_joint(const BoneJoint& joint) {
-    columns_.joint_counts.resize(parts.size());
+void HeldModel::show_joint(const BoneJoint& joint, std::string_view key, std::string_view name, bool is_pinned) {
     for (int i = 0; i < 3; ++i) columns_.positions.push_back(static_cast<float>(joint.at[i]));
     columns_.radii.push_back(static_cast<float>(joint.radius));
     columns_.parents.push_back(joint.parent);
     columns_.parts.push_back(joint.part);
-    char number[16];
-    std::snprintf(number, sizeof number, "_%u", columns_.joint_counts[joint.part]++);
-    columns_.names.emplace_back(parts[joint.part].name).append(number).append(parts[joint.part].suffix);
+    columns_.keys.emplace_back(key);
+    columns_.key_pointers.push_back(columns_.keys.back().c_str());
+    columns_.names.emplace_back(name.empty() ? key : name);
     columns_.name_pointers.push_back(columns_.names.back().c_str());
+    const ModelPart& part = parts[joint.part];
+    const Vec3 offset = (joint.at - part.placement.col(3)) / (part.scale * part.scale);
+    for (int i = 0; i < 3; ++i) columns_.places.push_back(offset.dot(part.placement.col(i)));
+    columns_.pinned.push_back(is_pinned);
 }
 
 void HeldModel::show_part(uint32_t part) {
@@ -140,45 +129,64 @@ void HeldModel::show() noexcept {
              .part_sources = columns_.part_sources.data(),
              .part_twins = columns_.part_twins.data(),
              .part_mirrored = columns_.part_mirrored.data(),
-             .origin = {}};
+             .origin = {},
+             .joint_keys = columns_.key_pointers.data(),
+             .joint_places = columns_.places.data(),
+             .joint_pinned = columns_.pinned.data()};
     write_origin(origin, view_.origin);
 }
 
 Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     HeldModel& m = *model;
     Memory* memory = pace.memory();
+    // Models do not keep those before them.
+    const std::shared_ptr<const HeldModel> previous = m.previous;
     for (const ModelPart& part : m.parts) m.size = std::max(m.size, part.part->length * part.scale);
     co_await name_twins(pace, m);
-    pace.stage("connect");
+    m.own_begins.assign(m.parts.size(), 0);
+    m.own_counts.assign(m.parts.size(), 0);
+    pace.stage("joints");
     BoneGraph graph(memory);
-    std::pmr::vector<uint32_t> first_joints(memory);  // by part, before what others put on its bones
+    std::pmr::vector<uint32_t> first_joints(memory);
     std::pmr::vector<RefinementThresholds> thresholds(memory);
-    std::pmr::vector<Vec3> outline(memory);
     const auto in_space = [&](const FlgBoneThresholds& shares) {
-        return RefinementThresholds{shares.merge * m.size, shares.prune * m.size, shares.collapse * m.size};
+        const double unit = shares.detail > 0 ? m.size / shares.detail : m.size;
+        return RefinementThresholds{shares.merge * unit, shares.prune * unit, shares.collapse * unit};
     };
-    for (uint32_t p = 0; p < m.parts.size(); ++p) {
-        const auto first_joint = static_cast<uint32_t>(graph.joints().size());
-        const auto first_bone = static_cast<uint32_t>(graph.bones().size());
-        first_joints.push_back(first_joint);
-        co_await add_part(pace, m, p, graph);
-        co_await place_outline(pace, m.parts[p], outline);
-        const NewPart part{p, m.parts[p].twin, first_joint, first_bone, outline};
-        const PartLink link = co_await connect_part(pace, graph, part);
-        m.links.push_back(link);
-        thresholds.push_back(in_space(m.parts[p].thresholds));
+    {
+        const PartJoints chosen = co_await choose_joints(pace, m);
+        for (uint32_t p = 0; p < m.parts.size(); ++p) {
+            first_joints.push_back(static_cast<uint32_t>(graph.joints().size()));
+            co_await add_part(pace, m, p, chosen, graph);
+            thresholds.push_back(in_space(m.parts[p].thresholds));
+        }
     }
+    first_joints.push_back(static_cast<uint32_t>(graph.joints().size()));
     thresholds.push_back(in_space(m.thresholds));
+    // First each part alone: so its joints are the same wherever it is.
+    co_await refine(pace, graph, thresholds);
+    pace.stage("connect");
+    Hierarchy hierarchy = co_await connect_parts(pace, m, graph, first_joints, thresholds.back().collapse);
+    m.previous.reset();
+    co_await edit_joints(pace, m, graph, hierarchy);
     pace.stage("refine");
     co_await refine(pace, graph, thresholds);
-    const std::pmr::vector<uint32_t> roots = co_await find_roots(pace, m, graph, first_joints);
-    OrderedBones ordered = co_await order_bones(pace, graph, roots);
+    co_await make_keys_unique(pace, hierarchy, graph);
+    co_await each(pace, hierarchy.roots.size(), Cost::some_ns,
+                  [&](uint32_t r) { hierarchy.roots[r] = graph.heir(hierarchy.roots[r]); });
+    OrderedBones ordered = co_await order_bones(pace, graph, hierarchy.roots);
     m.tree = std::move(ordered.tree);
+    m.links = std::move(hierarchy.links);
     m.part_joints.assign(m.parts.size(), no_number);
+    Buffer<uint32_t> graph_joint(m.tree.joints.size(), memory);
+    co_await each(pace, graph.joints().size(), Cost::some_ns, [&](uint32_t j) {
+        if (ordered.number[j] != no_joint) graph_joint[ordered.number[j]] = j;
+    });
     co_await each(pace, m.tree.joints.size(), Cost::hundreds_of_ns, [&](uint32_t j) {
         uint32_t& topmost = m.part_joints[m.tree.joints[j].part];
         topmost = std::min(topmost, j);
-        m.show_joint(m.tree.joints[j]);
+        const JointLabel& label = hierarchy.labels[graph.joints()[graph_joint[j]].label];
+        m.show_joint(m.tree.joints[j], label.key, label.name, label.is_pinned);
     });
     co_await each(pace, m.parts.size(), Cost::tens_of_ns, [&](uint32_t p) {
         // Where a part's joints all became others', the one that its first became.

@@ -5,6 +5,7 @@
 
 #include "bones/axis.h"
 #include "bones/contour_sampling.h"
+#include "bones/mirrored_axis.h"
 #include "runtime/each.h"
 #include "skeletons/contour_repair.h"
 #include "skeletons/point2.h"
@@ -13,7 +14,8 @@
 namespace flg {
 namespace {
 
-constexpr double longest = 3;  // lengths of parts, by the diagonal of their boxes
+constexpr double longest = 3;                // lengths of parts, by the diagonal of their boxes
+constexpr double mirror_tolerance = 0.0015;  // of the length: how far a line may be from its mirror image
 
 // Hosts see all of it as plain numbers.
 static_assert(sizeof(Point2) == 2 * sizeof(double) && sizeof(AxisNode) == 3 * sizeof(double));
@@ -41,6 +43,26 @@ Task<double> length_of(Pace& pace, const Contour& drawn) {
         high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     });
     co_return std::min(length, longest * distance(low, high));
+}
+
+// Area, its middle, and the widest place.
+Task<void> measure(Pace& pace, HeldPart& part) {
+    const Contour& outline = part.outline;
+    const Point2 origin = outline.points[0];
+    double doubled = 0, x = 0, y = 0;
+    co_await each(pace, outline.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Point2 &a = outline.points[i], &b = outline.points[outline.next(i)];
+        const Point2 p{a.x - origin.x, a.y - origin.y}, q{b.x - origin.x, b.y - origin.y};
+        const double cross = p.x * q.y - q.x * p.y;
+        doubled += cross;
+        x += cross * (p.x + q.x);
+        y += cross * (p.y + q.y);
+    });
+    part.area = 0.5 * doubled;
+    part.centroid = {origin.x + x / (3 * doubled), origin.y + y / (3 * doubled)};
+    const auto& nodes = part.skeleton.graph.nodes;
+    co_await each(pace, nodes.size(), Cost::some_ns,
+                  [&](uint32_t i) { part.widest = std::max(part.widest, nodes[i].clearance); });
 }
 
 // Whether the outline has a skeleton; where it has none, the last attempt fails with what is wrong.
@@ -81,12 +103,22 @@ Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
     p.change = co_await find_change(pace, p.drawn, p.change.input);
     p.length = co_await length_of(pace, p.drawn);
     if (p.spacing > 0) p.even = co_await even_contour(pace, p.drawn, p.spacing * p.length);
+    std::optional<Contour> half, even_half;
+    p.mirror = co_await find_mirror(pace, p.drawn, mirror_tolerance * p.length);
+    if (p.mirror) half = co_await left_half(pace, p.drawn, *p.mirror);
+    if (half && p.spacing > 0) even_half = co_await even_contour(pace, *half, p.spacing * p.length);
     StraightSkeleton skeleton(pace.memory());
     bool is_found = false;
     for (const Attempt& attempt : attempts) {
         if (is_found) break;
-        const Contour& line = attempt.is_even ? p.line() : p.drawn;
-        p.outline = co_await simplified_contour(pace, line, attempt.tolerance * p.tolerance * p.length);
+        const bool is_even = attempt.is_even && p.spacing > 0;
+        const double tolerance = attempt.tolerance * p.tolerance * p.length;
+        if (half) {
+            const Contour simple = co_await simplified_contour(pace, is_even ? *even_half : *half, tolerance);
+            p.outline = co_await with_image(pace, simple, *p.mirror, tolerance);
+        }
+        if (!half || p.outline.size() < 3)
+            p.outline = co_await simplified_contour(pace, is_even ? p.even : p.drawn, tolerance);
         pace.stage("straight_skeleton");
         skeleton = StraightSkeleton(pace.memory());
         is_found = co_await make_skeleton(pace, p.outline, skeleton, &attempt == std::end(attempts) - 1);
@@ -94,7 +126,16 @@ Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
     pace.stage("axis");
     AxisGraph graph = co_await axis_graph(pace, p.outline, skeleton, p.collapse);
     const double spacing = (p.spacing > 0 ? p.spacing : default_spacing) * p.length;
-    p.skeleton = co_await axis_branches(pace, p.outline, std::move(graph), spacing);
+    std::optional<PartSkeleton> mirrored;
+    if (half && graph.nodes.size() > 1)
+        mirrored = co_await mirrored_branches(pace, p.outline, graph, *p.mirror, spacing);
+    if (mirrored) {
+        p.skeleton = std::move(*mirrored);
+    } else {
+        p.mirror.reset();
+        p.skeleton = co_await axis_branches(pace, p.outline, std::move(graph), spacing);
+    }
+    co_await measure(pace, p);
 }
 
 }  // namespace flg

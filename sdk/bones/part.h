@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "bones/axis.h"
+#include "bones/contour_mirror.h"
 #include "filigree/filigree_model.h"
 #include "runtime/pace.h"
 #include "runtime/product.h"
@@ -29,7 +31,11 @@ public:
     Contour even;                       // the same with points at equal distances, if that was asked for
     Contour outline;                    // what the axis was made of
     PartSkeleton skeleton;
-    double length = 0;  // of ring 0, drawn, but three times the diagonal of its box at most
+    std::optional<MirrorAxis> mirror;  // of the drawn line; the skeleton is its own mirror image then
+    double length = 0;                 // of ring 0, drawn, but three times the diagonal of its box at most
+    double area = 0;                   // within the outline
+    double widest = 0;                 // clearance of the axis
+    Point2 centroid{};                 // of the area
 
     const Contour& line() const { return spacing > 0 ? even : drawn; }
     void warn(const Host& host) const noexcept override { change.warn(host, "part", handle); }

@@ -11,6 +11,9 @@ namespace flg {
 namespace {
 
 constexpr uint32_t contraction_work = 8;  // by a look at a bone
+constexpr double as_wide = 1 - 1e-6;      // by the radius
+
+using Hold = BoneGraph::Hold;
 
 // By part, the last ones the model's.
 using Thresholds = std::span<const RefinementThresholds>;
@@ -23,6 +26,10 @@ bool is_junction(const BoneGraph& graph, uint32_t joint) {
     return graph.joints()[joint].degree >= 3;
 }
 
+bool is_pinned(const BoneGraph& graph, uint32_t joint) {
+    return graph.joints()[joint].hold == Hold::pinned;
+}
+
 // A branch that becomes nothing.
 struct Branch {
     uint32_t joint;  // one of its ends
@@ -33,6 +40,9 @@ struct Junction {
     uint32_t joint;
     uint32_t cluster;  // another one that it becomes one with, itself: none
     uint32_t widest;   // of the cluster's, at the one that stands for it
+    // The same: how many are as wide as that, and their middle.
+    uint32_t equals = 0;
+    Vec3 middle = Vec3::Zero();
 };
 
 struct Junctions {
@@ -55,7 +65,7 @@ struct Junctions {
 // Junctions, each with those at the other ends of its branches that are short.
 Task<void> find_clusters(Pace& pace, const BoneGraph& graph, Thresholds thresholds, Junctions& junctions) {
     co_await each(pace, graph.joints().size(), Cost::some_ns, [&](uint32_t j) {
-        if (!graph.is_there(j) || !is_junction(graph, j)) return;
+        if (!graph.is_there(j) || !is_junction(graph, j) || is_pinned(graph, j)) return;
         const auto number = static_cast<uint32_t>(junctions.all.size());
         junctions.number_of[j] = number;
         junctions.all.push_back({j, number, number});
@@ -66,9 +76,12 @@ Task<void> find_clusters(Pace& pace, const BoneGraph& graph, Thresholds threshol
         for (uint32_t end = graph.first_end(joint); end != no_number; end = graph.next_end(end)) {
             const uint32_t bone = BoneGraph::bone_of(end);
             BoneGraph::Walk walk = graph.begin_walk(joint, bone);
+            bool is_held = false;
             do {
+                is_held = is_held || is_pinned(graph, walk.joint);
                 if (slice.is_over()) co_await pace;
             } while (graph.go_on(walk));
+            if (is_held) continue;
             if (walk.joint < joint || !is_junction(graph, walk.joint)) continue;
             if (walk.length >= of(thresholds, walk.part).merge) continue;
             junctions.branches.push_back({joint, bone});
@@ -84,7 +97,15 @@ Task<void> merge_junctions(Pace& pace, Thresholds thresholds, BoneGraph& graph) 
     const auto radius = [&](uint32_t i) { return graph.joints()[junctions.all[i].joint].radius; };
     co_await each(pace, junctions.all.size(), Cost::tens_of_ns, [&](uint32_t i) {
         uint32_t& widest = junctions.all[junctions.cluster(i)].widest;
-        if (radius(i) > radius(widest)) widest = i;
+        const auto is_middle = [&](uint32_t k) { return graph.joints()[junctions.all[k].joint].hold == Hold::middle; };
+        const bool is_equal = radius(i) >= as_wide * radius(widest) && radius(widest) >= as_wide * radius(i);
+        if (is_equal ? is_middle(i) && !is_middle(widest) : radius(i) > radius(widest)) widest = i;
+    });
+    co_await each(pace, junctions.all.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        Junction& whole = junctions.all[junctions.cluster(i)];
+        if (radius(i) < as_wide * radius(whole.widest)) return;
+        ++whole.equals;
+        whole.middle += graph.joints()[junctions.all[i].joint].at;
     });
     Slice slice(Cost::tens_of_ns);
     for (const Branch& branch : junctions.branches) {
@@ -107,7 +128,13 @@ Task<void> merge_junctions(Pace& pace, Thresholds thresholds, BoneGraph& graph) 
         if (junction.cluster != i) return;
         BoneGraph::Joint& joint = graph.joints()[graph.heir(junction.joint)];
         const BoneGraph::Joint& widest = graph.joints()[junctions.all[junction.widest].joint];
-        joint.at = widest.at, joint.radius = widest.radius, joint.part = widest.part;
+        const Vec3 middle = junction.middle / junction.equals;
+        // The middle of two is inside of both of their balls, or not taken.
+        const bool takes_middle =
+            junction.equals > 1 && widest.hold != Hold::middle && (middle - widest.at).norm() <= widest.radius;
+        joint.at = takes_middle ? middle : widest.at;
+        joint.radius = widest.radius, joint.part = widest.part;
+        joint.label = widest.label, joint.hold = widest.hold;
     });
 }
 
@@ -118,9 +145,12 @@ Task<void> prune(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
         if (slice.is_over()) co_await pace;
         if (!graph.is_there(joint) || graph.joints()[joint].degree != 1) continue;
         BoneGraph::Walk walk = graph.begin_walk(joint, BoneGraph::bone_of(graph.first_end(joint)));
-        while (graph.go_on(walk))
+        bool is_held = is_pinned(graph, joint);
+        for (uint32_t at = walk.joint; graph.go_on(walk); at = walk.joint) {
+            is_held = is_held || is_pinned(graph, at);
             if (slice.is_over()) co_await pace;
-        if (is_junction(graph, walk.joint) && walk.length < of(thresholds, walk.part).prune)
+        }
+        if (!is_held && is_junction(graph, walk.joint) && walk.length < of(thresholds, walk.part).prune)
             branches.push_back({joint, walk.joint});
     }
     for (const Branch& branch : branches) {
@@ -148,6 +178,7 @@ Task<void> collapse(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
     const auto add = [&](uint32_t bone) {
         const BoneGraph::Bone& b = graph.bones()[bone];
         if (b.gone || graph.joints()[b.joints[0]].degree < 2 || graph.joints()[b.joints[1]].degree < 2) return;
+        if (is_pinned(graph, b.joints[0]) && is_pinned(graph, b.joints[1])) return;
         const double length = graph.length(bone);
         if (length < of(thresholds, b.part).collapse) queue.push({length, bone});
     };
@@ -166,6 +197,8 @@ Task<void> collapse(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
         const uint32_t a = bone.joints[0], b = bone.joints[1];
         bool keep_a = graph.joints()[a].radius >= graph.joints()[b].radius;
         if (is_junction(graph, a) != is_junction(graph, b)) keep_a = is_junction(graph, a);
+        const Hold hold_a = graph.joints()[a].hold, hold_b = graph.joints()[b].hold;
+        if (hold_a != hold_b) keep_a = hold_a > hold_b;
         const uint32_t kept = keep_a ? a : b;
         graph.contract(top.bone, kept);
         for (uint32_t end = graph.joints()[kept].first; end != no_number; end = graph.next_listed(end)) {

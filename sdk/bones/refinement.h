@@ -7,6 +7,10 @@
 // - Collapsing: bones shorter than a threshold whose ends both have other bones are contracted, the shortest first, to
 //   the end that is a junction, else to the one with the larger radius.
 //
+// Departures: joints that are pinned stay as they are. Where an end on the mirror axis of its part and its mirror image
+// could be kept, that end is; and of several junctions as wide as each other, one on the axis or their middle. So
+// mirror images stay mirror images.
+//
 // A threshold of a part is for branches and bones that are all of it; what goes from part to part has the model's.
 #pragma once
 

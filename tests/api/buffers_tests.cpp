@@ -746,6 +746,9 @@ TEST(BufferJobs, OfPartsAndSkins) {
     FlgModelDesc model_desc = flgModelDefaults();
     model_desc.parts = &part;
     model_desc.part_count = 1;
+    FlgBoneThresholds thresholds = flgBoneThresholdsDefaults();
+    thresholds.detail = 4;  // bones that share vertices
+    model_desc.thresholds = &thresholds;
     FlgSkinDesc skin_desc = flgSkinDefaults();
     ASSERT_EQ(flgModelCreate(host.context, &model_desc, &skin_desc.model, nullptr), FLG_OK) << flgErrorGetMessage();
     skin_desc.vertex_count = 1000;

@@ -186,7 +186,8 @@ FlgBoneThresholds thresholds(float simplify, float merge, float prune, float col
             .simplify = simplify,
             .merge = merge,
             .prune = prune,
-            .collapse = collapse};
+            .collapse = collapse,
+            .detail = 0};
 }
 
 TEST(Model, ThresholdsMakeItCoarser) {

@@ -162,6 +162,9 @@ TEST(Outline, BecomesAPartWithBonesInsideOfTheMesh) {
     FlgModelDesc model_desc = flgModelDefaults();
     model_desc.parts = &part;
     model_desc.part_count = 1;
+    FlgBoneThresholds thresholds = flgBoneThresholdsDefaults();
+    thresholds.simplify = 0.0025f;  // near the middle of the tube
+    model_desc.thresholds = &thresholds;
     FlgModel model{};
     ASSERT_EQ(flgModelCreate(host.context, &model_desc, &model, nullptr), FLG_OK) << flgErrorGetMessage();
     ASSERT_EQ(flgContextTick(host.context, FLG_UNLIMITED, nullptr), FLG_OK);

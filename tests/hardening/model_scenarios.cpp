@@ -45,8 +45,22 @@ FlgModel make_model(Calls& calls) {
     FlgModelDesc desc = FLG_INIT(calls, flgModelDescInit);
     desc.parts = parts;
     desc.part_count = 2;
+    desc.root = 0;
     FlgModel model{};
     FLG_CALL(calls, flgModelCreate, calls.context, &desc, calls.out(model), calls.job());
+    // Again, with what was set about joints.
+    FlgJointEdit edits[2];
+    for (FlgJointEdit& edit : edits) edit = FLG_INIT(calls, flgJointEditInit);
+    edits[0].joint = "body_0";
+    edits[1].joint = "part1_0";
+    edits[1].kind = FLG_JOINT_EDIT_KIND_RENAME;
+    edits[1].name = "shoulder";
+    parts[1].parent = 0;
+    desc.joint_edits = edits;
+    desc.joint_edit_count = 2;
+    desc.previous = model;
+    FLG_CALL(calls, flgModelCreate, calls.context, &desc, calls.out(model), calls.job());
+    FLG_CALL(calls, flgModelRelease, calls.context, desc.previous);
     FLG_CALL(calls, flgPartRelease, calls.context, parts[0].part);
     return model;
 }

@@ -112,8 +112,12 @@ TEST(StudioDrawing, DocumentsAndFilesKeepIt) {
     drawing.parts[1].turn = {0.0, 0.0, 90.0};
     drawing.parts[1].mirrored = true;
     drawing.parts[1].visible = false;
-    drawing.parts[1].thresholds = FlgBoneThresholds{
-        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.01f, .merge = 0.02f, .prune = 0.03f, .collapse = 0.04f};
+    drawing.parts[1].thresholds = FlgBoneThresholds{.struct_size = sizeof(FlgBoneThresholds),
+                                                    .simplify = 0.01f,
+                                                    .merge = 0.02f,
+                                                    .prune = 0.03f,
+                                                    .collapse = 0.04f,
+                                                    .detail = 0};
     drawing.parts[1].branch_simplify = {-1.0f, 0.02f};
     drawing.mirror = {0, 0, -1, 0};
     drawing.pose.turns["leg_0.L"] = glm::angleAxis(0.5f, glm::vec3(0, 0, 1));

@@ -57,11 +57,52 @@ TEST_F(SkeletonCommand, ADrawingBecomesOneTree) {
     EXPECT_EQ(report().at("counts").at("joints"), json.at("joints").size());
 }
 
+TEST_F(SkeletonCommand, AByteOrderMarkIsSkipped) {
+    folder.write("marked.poly.txt", std::string("\xef\xbb\xbf") + leg);
+    EXPECT_EQ(bones({"marked.poly.txt"}).at("joints").size(), bones({"leg.poly.txt"}).at("joints").size());
+}
+
+TEST_F(SkeletonCommand, ABadLineIsQuotedShortAndPrintable) {
+    folder.write("bad.poly.txt", "1 2\n" + std::string(5000, 'x') + "\x01\n");
+    const Outcome outcome = run({"skeleton", "bad.poly.txt", "--bones", "bones.json"});
+    EXPECT_NE(outcome.err.find("bad.poly.txt:2: '" + std::string(80, 'x') + "...' is no point"), std::string::npos)
+        << outcome.err;
+    folder.write("odd.poly.txt", "1 2\n\x1b[2J\n");
+    const Outcome odd = run({"skeleton", "odd.poly.txt", "--bones", "bones.json"});
+    EXPECT_NE(odd.err.find("'?[2J' is no point"), std::string::npos) << odd.err;
+}
+
+TEST_F(SkeletonCommand, DrawingsHangPartsAndKeepJoints) {
+    folder.write("hung.json", R"({
+      "mirror": [0, 0, 1, 0], "root": "leg", "detail": 0.5,
+      "joints": [{"joint": "body_0", "edit": "rename", "name": "hips"},
+                 {"joint": "leg_9", "edit": "pin", "at": [0, -1.5, 0]}],
+      "parts": [
+        {"name": "body", "curve": [[-3, 0], [-2, 1], [2, 1], [3, 0], [2, -1], [-2, -1]], "parent": "leg"},
+        {"name": "leg", "contour": "leg.poly.txt", "at": [1, 0, 0.6], "thickness": 0.8}
+      ]
+    })");
+    const Json json = bones({"hung.json"});
+    EXPECT_EQ(json.at("parts")[0].at("parent"), 1);
+    EXPECT_EQ(json.at("parts")[1].at("event"), "root");
+    bool has_hips = false, has_pin = false;
+    for (const Json& joint : json.at("joints")) {
+        has_hips = has_hips || (joint.at("name") == "hips" && joint.at("key") == "body_0");
+        if (joint.at("key") != "leg_9") continue;
+        has_pin = joint.at("pinned").get<bool>();
+        EXPECT_NEAR(joint.at("position")[1].get<double>(), -1.5, 1e-6);
+    }
+    EXPECT_TRUE(has_hips);
+    EXPECT_TRUE(has_pin);
+    const Outcome outcome = run({"skeleton", "animal.json", "--bones", "bones.json", "--root", "wing"});
+    EXPECT_NE(outcome.err.find("there is no part wing"), std::string::npos) << outcome.err;
+}
+
 TEST_F(SkeletonCommand, PlainContoursArePartsInOnePlane) {
     folder.write("torso.poly.txt", "-3 -1\n3 -1\n3 1\n-3 1\n");
     const Json json = bones({"torso.poly.txt", "leg.poly.txt"});
     ASSERT_EQ(json.at("parts").size(), 2u);
-    EXPECT_EQ(json.at("joints")[0].at("name"), "torso_0");
+    EXPECT_EQ(json.at("joints")[0].at("name"), "torso_root");
     EXPECT_EQ(json.at("parts")[1].at("event"), "bone_split");
     for (const Json& joint : json.at("joints")) EXPECT_EQ(joint.at("position")[2], 0.0);
 }

@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 struct Options {
     std::vector<std::string> contours;
     std::string output, bones;
-    std::optional<float> simplify, merge, prune, collapse;
+    std::optional<float> simplify, merge, prune, collapse, detail;
+    std::string root;
     uint32_t vertices = flgSkinDefaults().vertex_count;
     bool repair = false;
     std::array<float, 3> from = {0, 0, 1};
@@ -33,11 +34,13 @@ ModelDrawing read_drawing(const Options& options, Session& session, Report& repo
                                                        : read_contour_part(path));
     }
     drawing.repair = options.repair;
+    if (!options.root.empty()) drawing.root = options.root;
     const auto set = [&](FlgBoneThresholds& thresholds) {
         thresholds.simplify = options.simplify.value_or(thresholds.simplify);
         thresholds.merge = options.merge.value_or(thresholds.merge);
         thresholds.prune = options.prune.value_or(thresholds.prune);
         thresholds.collapse = options.collapse.value_or(thresholds.collapse);
+        thresholds.detail = options.detail.value_or(thresholds.detail);
     };
     set(drawing.thresholds);
     for (DrawnPart& part : drawing.parts)
@@ -51,11 +54,15 @@ Json bones_json(const FlgModelView& view) {
     Json joints = Json::array(), parts = Json::array();
     for (size_t j = 0; j < view.joint_count; ++j) {
         const float* p = view.joint_positions + 3 * j;
+        const double* place = view.joint_places + 3 * j;
         joints.push_back({{"name", view.joint_names[j]},
+                          {"key", view.joint_keys[j]},
                           {"parent", number(view.joint_parents[j])},
                           {"part", view.joint_parts[j]},
                           {"position", {p[0], p[1], p[2]}},
-                          {"radius", view.joint_radii[j]}});
+                          {"radius", view.joint_radii[j]},
+                          {"place", {place[0], place[1], place[2]}},
+                          {"pinned", view.joint_pinned[j] != 0}});
     }
     for (size_t p = 0; p < view.part_count; ++p) {
         parts.push_back({{"event", events[view.part_events[p]]},
@@ -150,10 +157,16 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
         command->add_option(name, value, text)->check(CLI::Range(0.0f, 10.0f));
     };
     threshold("--simplify", options->simplify,
-              "Joints keep axis and shape to within this; share of the size, default 0.0025");
-    threshold("--merge", options->merge, "Junctions nearer to each other become one; default 0.015");
-    threshold("--prune", options->prune, "Branches to an end that are shorter are removed; default 0.015");
-    threshold("--collapse", options->collapse, "Inner bones that are shorter vanish; default 0.005");
+              "Joints keep axis and shape to within this; share of the size, default 0.01");
+    threshold("--merge", options->merge, "Junctions nearer to each other become one; default 0.03");
+    threshold("--prune", options->prune, "Branches to an end that are shorter are removed; default 0.03");
+    threshold("--collapse", options->collapse, "Inner bones that are shorter vanish; default 0.01");
+    command
+        ->add_option("--detail", options->detail,
+                     "Joints in all limbs: 2 is finer, 0.5 coarser; 0: only the four above count. Default 1")
+        ->check(CLI::Range(0.0f, 20.0f));
+    command->add_option("--root", options->root, "The part that the hierarchy begins with; default: the largest")
+        ->type_name("PART");
     return {command, [options, &common] { run_skeleton(*options, common); }};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 
+#include "documents/text_lines.h"
 #include "shell/script.h"
 #include "shell/studio_error.h"
 
@@ -11,7 +12,7 @@ std::vector<ScriptStep> read_script(const std::string& path) {
     if (!file) throw StudioError("The script " + path + " cannot be read.");
     std::vector<ScriptStep> steps;
     std::string line;
-    for (int number = 1; std::getline(file, line); ++number) {
+    for (int number = 1; cli::next_line(file, line); ++number) {
         ScriptStep step;
         step.line = number;
         for (size_t i = 0; i < line.size();) {

@@ -17,8 +17,12 @@
 namespace flg::studio {
 
 // How fine bones are unless the drawing says otherwise: for toys, as in samples/models.
-constexpr FlgBoneThresholds kUsualBones = {
-    .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.008f, .merge = 0.04f, .prune = 0.075f, .collapse = 0.03f};
+constexpr FlgBoneThresholds kUsualBones = {.struct_size = sizeof(FlgBoneThresholds),
+                                           .simplify = 0.008f,
+                                           .merge = 0.04f,
+                                           .prune = 0.075f,
+                                           .collapse = 0.03f,
+                                           .detail = 1.0f};
 
 struct DrawnPart {
     uint32_t id = 0;  // never given again

@@ -14,7 +14,8 @@ namespace flg::studio {
 namespace {
 
 bool are_same(const FlgBoneThresholds& a, const FlgBoneThresholds& b) {
-    return a.simplify == b.simplify && a.merge == b.merge && a.prune == b.prune && a.collapse == b.collapse;
+    return a.simplify == b.simplify && a.merge == b.merge && a.prune == b.prune && a.collapse == b.collapse &&
+           a.detail == b.detail;
 }
 
 ContourPtr contour_of(const cli::ContourArrays& arrays) {
@@ -75,6 +76,7 @@ void put_thresholds(nlohmann::json& json, const FlgBoneThresholds& thresholds) {
     json["merge"] = thresholds.merge;
     json["prune"] = thresholds.prune;
     json["collapse"] = thresholds.collapse;
+    json["detail"] = thresholds.detail;
 }
 
 nlohmann::json part_json(const DrawnPart& part) {
@@ -186,7 +188,8 @@ Drawing drawing_of_document(const nlohmann::json& document) {
                                   .simplify = document["thresholds"].at("simplify"),
                                   .merge = document["thresholds"].at("merge"),
                                   .prune = document["thresholds"].at("prune"),
-                                  .collapse = document["thresholds"].at("collapse")};
+                                  .collapse = document["thresholds"].at("collapse"),
+                                  .detail = document["thresholds"].value("detail", kUsualBones.detail)};
         const nlohmann::json none = nlohmann::json::object();
         const nlohmann::json &branches = document.contains("branches") ? document["branches"] : none,
                              &hidden = document.contains("hidden") ? document["hidden"] : none;

@@ -9,16 +9,17 @@ namespace {
 constexpr uint32_t kQuickVertices = 2500, kFineVertices = 16000;
 constexpr size_t kMaxCrossings = 16;
 
-std::array<float, 4> array_of(const FlgBoneThresholds& from) {
-    return {from.simplify, from.merge, from.prune, from.collapse};
+std::array<float, 5> array_of(const FlgBoneThresholds& from) {
+    return {from.simplify, from.merge, from.prune, from.collapse, from.detail};
 }
 
-FlgBoneThresholds thresholds_of(const std::array<float, 4>& from) {
+FlgBoneThresholds thresholds_of(const std::array<float, 5>& from) {
     return {.struct_size = sizeof(FlgBoneThresholds),
             .simplify = from[0],
             .merge = from[1],
             .prune = from[2],
-            .collapse = from[3]};
+            .collapse = from[3],
+            .detail = from[4]};
 }
 
 }  // namespace
@@ -151,6 +152,8 @@ void LiveModel::start_model(const Drawing& drawing) {
     urgent.priority = FLG_PRIORITY_HIGH;
     desc.job = &urgent;
     std::copy(recipe.mirror.begin(), recipe.mirror.end(), desc.mirror);
+    // So joints keep their names, and with them their poses, while the drawing changes.
+    desc.previous = model_.get();
     FlgModel handle{};
     if (flgModelCreate(context_.get(), &desc, &handle, nullptr) != FLG_OK) {
         model_failed_ = true;

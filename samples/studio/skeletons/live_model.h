@@ -24,14 +24,15 @@ struct ModelRecipe {
         std::array<double, 12> placement;
         float thickness;
         bool mirrored;
-        std::optional<std::array<float, 4>> thresholds;
+        std::optional<std::array<float, 5>> thresholds;
         std::vector<float> branch_simplify;
         bool operator==(const Part&) const = default;
         // All that the body's shape hangs on.
         bool is_shaped_as(const Part& other) const;
     };
     std::vector<Part> parts;
-    std::array<float, 4> mirror, thresholds;
+    std::array<float, 4> mirror;
+    std::array<float, 5> thresholds;
     bool operator==(const ModelRecipe&) const = default;
     bool is_shaped_as(const ModelRecipe& other) const;
 };

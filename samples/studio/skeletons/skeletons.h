@@ -89,6 +89,7 @@ private:
     FlgBoneThresholds thresholds() const;
     void set_thresholds(const FlgBoneThresholds& thresholds);
     void threshold_slider(const char* label, float FlgBoneThresholds::*which, float max_percent, const char* tip);
+    void detail_slider();
     void branch_slider(uint32_t branch);
     // After each slider: a step of undo where it was let go of.
     void end_slider();

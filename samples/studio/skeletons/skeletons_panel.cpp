@@ -15,12 +15,14 @@ constexpr FlgBoneThresholds kFineBones = {.struct_size = sizeof(FlgBoneThreshold
                                           .simplify = 0.002f,
                                           .merge = 0.008f,
                                           .prune = 0.015f,
-                                          .collapse = 0.004f},
+                                          .collapse = 0.004f,
+                                          .detail = 2},
                             kCoarseBones = {.struct_size = sizeof(FlgBoneThresholds),
                                             .simplify = 0.03f,
                                             .merge = 0.07f,
                                             .prune = 0.10f,
-                                            .collapse = 0.06f};
+                                            .collapse = 0.06f,
+                                            .detail = 0.5f};
 
 // How far parts may be moved by sliders.
 float reach_of(const Drawing& drawing) {
@@ -138,6 +140,14 @@ void Skeletons::threshold_slider(const char* label, float FlgBoneThresholds::*wh
     end_slider();
 }
 
+void Skeletons::detail_slider() {
+    FlgBoneThresholds all = thresholds();
+    if (ui::slider("Detail", &all.detail, 0.0f, 4.0f, "%.2f",
+                   "More joints in all limbs. 0: only what the four below ask for."))
+        set_thresholds(all);
+    end_slider();
+}
+
 void Skeletons::branch_slider(uint32_t branch) {
     const DrawnPart& part = *editor_.selected();
     const FlgPartView* axis = editor_.live.axis_of(part.contour);
@@ -196,6 +206,7 @@ void Skeletons::refine_panel() {
         set_thresholds(*preset.thresholds);
         editor_.commit();
     }
+    detail_slider();
     threshold_slider("Simplify", &FlgBoneThresholds::simplify, 5.0f,
                      "How far bones may lie off the middle of a limb. More leaves fewer joints.");
     threshold_slider("Merge", &FlgBoneThresholds::merge, 15.0f,

@@ -391,6 +391,9 @@ using BrushUv = FlgBrushUv;
 /// How triangles are refined.
 using Subdivision = FlgSubdivision;
 
+/// What a host or its user sets about a joint.
+using JointEditKind = FlgJointEditKind;
+
 /// How a part was attached to the model.
 using PartEvent = FlgPartEvent;
 
@@ -1076,7 +1079,7 @@ struct ModelView {
     Span<const uint32_t> joint_parents;
     /// the part each joint lies in
     Span<const uint32_t> joint_parts;
-    /// the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ...
+    /// the joint's key, unless it was renamed
     Span<const char* const> joint_names;
     /// FlgModelView::part_count.
     uint32_t part_count{};
@@ -1096,6 +1099,13 @@ struct ModelView {
     Span<const uint8_t> part_mirrored;
     /// metres: what positions are relative to
     double origin[3]{};
+    /// what edits know a joint by: the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ...; where a part
+    /// attaches: torso_at_arm; the middle of a trunk: torso_root
+    Span<const char* const> joint_keys;
+    /// 3 per joint: where it is in the drawing of its part, as FlgJointEdit::at
+    Span<const double> joint_places;
+    /// one per joint: 1 if an edit pins it
+    Span<const uint8_t> joint_pinned;
 
     /// Empty.
     ModelView() { flgModelViewInit(&c_, detail::size_of<FlgModelView>); }
@@ -1116,6 +1126,9 @@ struct ModelView {
         part_sources = detail::span(c.part_sources, part_count);
         part_twins = detail::span(c.part_twins, part_count);
         part_mirrored = detail::span(c.part_mirrored, part_count);
+        joint_keys = detail::span(c.joint_keys, joint_count);
+        joint_places = detail::span(c.joint_places, std::size_t{3} * joint_count);
+        joint_pinned = detail::span(c.joint_pinned, joint_count);
     }
     /// The C struct, for C functions.
     const FlgModelView& get() const noexcept { return c_; }
@@ -2025,8 +2038,8 @@ struct PartMeshDesc : FlgPartMeshDesc {
     }
 };
 
-/// Resolution of the bones. Fractions are of the model's size, the largest length among its placed parts; the defaults
-/// equal the paper's pixels for a size of 2,000 pixels. 0 to 10 each.
+/// Resolution of the bones. The four are fractions of the model's size, the largest length among its placed parts: 0 to
+/// 10 each. The defaults give a person some 20 joints. The paper's are 0.0025, 0.015, 0.015 and 0.005, with detail 0.
 struct BoneThresholds : FlgBoneThresholds {
     /// The defaults.
     BoneThresholds() { flgBoneThresholdsInit(this, detail::size_of<FlgBoneThresholds>); }
@@ -2054,6 +2067,15 @@ struct ModelPart : FlgModelPart {
     void set_branch_simplify(std::initializer_list<float>) = delete;
 };
 
+/// Joints are told by their keys (FlgModelView::joint_keys), which survive edits of the drawing: pass the same list
+/// with every model. A key without its .L or .R means both. Edits of joints that are not there wait until they are.
+struct JointEdit : FlgJointEdit {
+    /// The defaults.
+    JointEdit() { flgJointEditInit(this, detail::size_of<FlgJointEdit>); }
+    /// Of the C struct.
+    JointEdit(const FlgJointEdit& c) : FlgJointEdit(c) {}
+};
+
 /// FlgModelDesc with its defaults.
 struct ModelDesc : FlgModelDesc {
     /// The defaults.
@@ -2067,6 +2089,13 @@ struct ModelDesc : FlgModelDesc {
     }
     /// A list would end before the descriptor is used.
     void set_parts(std::initializer_list<FlgModelPart>) = delete;
+    /// Sets joint_edits and joint_edit_count. The array must live until the descriptor is used.
+    void set_joint_edits(Span<const FlgJointEdit> values) {
+        joint_edits = values.data();
+        joint_edit_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_joint_edits(std::initializer_list<FlgJointEdit>) = delete;
 };
 
 /// FlgSkinDesc with its defaults.
@@ -4251,8 +4280,11 @@ public:
     }
 
     /// Starts a job that makes one skeleton from the parts, sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: it places
-    /// joints along the branches, connects parts, merges junctions, and removes short branches and bones. A part that
-    /// meets no earlier one becomes a root. FLG_ERROR_LIMIT above 65535 joints. Cost: about 12 us a part.
+    /// joints along the branches, connects parts, merges junctions, and removes short branches and bones. The hierarchy
+    /// begins in the middle of the trunk; a part that meets no other is another root. Joints of one contour that is its
+    /// own mirror image are mirror images too. The job fails if an edit pins a joint outside of its part, merges a root
+    /// or gives two joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost: 20
+    /// us a part.
     /// Calls flgModelCreate.
     Result<Model> model(const ModelDesc& desc, Job* out_job = nullptr) const {
         FlgModel out_model{};

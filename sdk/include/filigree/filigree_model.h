@@ -167,14 +167,17 @@ FLG_API FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh);
 
 /* ---- Models ---------------------------------------------------------------------------------------------------- */
 
-/* Resolution of the bones. Fractions are of the model's size, the largest length among its placed parts; the defaults
- * equal the paper's pixels for a size of 2,000 pixels. 0 to 10 each. */
+/* Resolution of the bones. The four are fractions of the model's size, the largest length among its placed parts: 0 to
+ * 10 each. The defaults give a person some 20 joints. The paper's are 0.0025, 0.015, 0.015 and 0.005, with detail 0. */
 typedef struct FlgBoneThresholds {
     uint32_t struct_size;
-    float simplify; /* how far joints along a branch may deviate from axis and shape; default 0.0025 */
-    float merge;    /* merges junctions closer than this along the bones; default 0.015 */
-    float prune;    /* removes shorter branches that lead to an end; default 0.015 */
-    float collapse; /* removes bones shorter than this with bones at both ends; default 0.005 */
+    float simplify; /* how far joints along a branch may deviate from axis and shape; default 0.01 */
+    float merge;    /* merges junctions closer than this along the bones; default 0.03 */
+    float prune;    /* removes shorter branches that lead to an end; default 0.03 */
+    float collapse; /* removes bones shorter than this with bones at both ends; default 0.01 */
+    float detail;   /* one number for all: divides the four, and gives limbs more joints the longer they are for their
+                       width, in equal limbs the same number: 2 is finer, 0.5 coarser. 0.05 to 20; 0: the four alone,
+                       as they are. Default 1 */
 } FlgBoneThresholds;
 
 FLG_API FlgResult flgBoneThresholdsInit(FlgBoneThresholds* thresholds, uint32_t struct_size);
@@ -196,13 +199,43 @@ typedef struct FlgModelPart {
     const FlgBoneThresholds* thresholds; /* null: the model's */
     const float* branch_simplify;        /* one per branch of the part; negative: the part's value; null: the part's
                                             value for all */
+    uint32_t parent;                     /* index in desc.parts of the part it attaches to, wherever both are; its own
+                                            index: none; FLG_NO_INDEX: found. Default FLG_NO_INDEX */
+    uint32_t reserved;
+    const char* parent_joint;            /* key of the parent's joint that it attaches to; null, or not there: the
+                                            nearest place. Default null */
 } FlgModelPart;
+
+/* What a host or its user sets about a joint. */
+typedef enum FlgJointEditKind {
+    FLG_JOINT_EDIT_KIND_PIN = 0,    /* the joint stays at `at`, also if that moves it, and is never refined away; one
+                                       that is not there is made on the nearest bone of its part */
+    FLG_JOINT_EDIT_KIND_SPLIT = 1,  /* a new joint, with `name` as its key, on the bone from its parent, at `share` */
+    FLG_JOINT_EDIT_KIND_MERGE = 2,  /* the joint becomes one with its parent, which stays where it is */
+    FLG_JOINT_EDIT_KIND_RENAME = 3, /* the joint is called `name`; its key stays */
+    FLG_JOINT_EDIT_KIND_FORCE_32BIT = 0x7fffffff
+} FlgJointEditKind;
+
+/* Joints are told by their keys (FlgModelView::joint_keys), which survive edits of the drawing: pass the same list with
+ * every model. A key without its .L or .R means both. Edits of joints that are not there wait until they are. */
+typedef struct FlgJointEdit {
+    uint32_t struct_size; /* the same of all edits of a model */
+    FlgJointEditKind kind; /* default FLG_JOINT_EDIT_KIND_PIN */
+    const char* joint;    /* its key */
+    const char* name;     /* for SPLIT and RENAME: UTF-8, 1 to 127 bytes, unique in the model; default null */
+    double at[3];         /* for PIN: in the drawing of the joint's part, z at right angles to it; inside of the part.
+                             Default 0 */
+    double share;         /* for SPLIT: 0 at the parent, 1 at the joint, exclusive; default 0.5 */
+} FlgJointEdit;
+
+FLG_API FlgResult flgJointEditInit(FlgJointEdit* edit, uint32_t struct_size);
 
 typedef struct FlgModelDesc {
     uint32_t struct_size;
     uint32_t part_count;       /* 1 to 4096 */
     const FlgJobOptions* job;
-    const FlgModelPart* parts; /* in modelling order: a part attaches to an earlier one */
+    const FlgModelPart* parts; /* in modelling order: the trunk comes first wherever it is, then a part attaches to an
+                                  earlier one */
     const FlgBoneThresholds* thresholds; /* null: the defaults */
     float shape_weight;        /* weight of the shape in `simplify`, alpha_s of Eq. 1 (the paper gives no number): 0 to
                                   100, default 0.25 */
@@ -211,14 +244,23 @@ typedef struct FlgModelDesc {
     float mirror[4];
     uint32_t reserved;
     double origin[3]; /* metres: what placements and `mirror` are relative to. Default 0 */
+    uint32_t root;                   /* the trunk, an index of parts: the hierarchy begins there. FLG_NO_INDEX: the
+                                        part of the largest area that is not mirrored. Default FLG_NO_INDEX */
+    uint32_t joint_edit_count;       /* up to 65535. Default 0 */
+    const char* root_joint;          /* key of the root part's joint; null, or not there: its middle. Default null */
+    const FlgJointEdit* joint_edits; /* applied in order; copied. Default null */
+    FlgModel previous;               /* what this model was before its parts changed: joints keep the keys they have in
+                                        it, by part and place. Its job may still run. Default null: keys are new */
 } FlgModelDesc;
 
 FLG_API FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size);
 FLG_API FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes one skeleton from the parts, sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: it places joints
- * along the branches, connects parts, merges junctions, and removes short branches and bones. A part that meets no
- * earlier one becomes a root. FLG_ERROR_LIMIT above 65535 joints. Cost: about 12 us a part. */
+ * along the branches, connects parts, merges junctions, and removes short branches and bones. The hierarchy begins in
+ * the middle of the trunk; a part that meets no other is another root. Joints of one contour that is its own mirror
+ * image are mirror images too. The job fails if an edit pins a joint outside of its part, merges a root or gives two
+ * joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost: 20 us a part. */
 FLG_API FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job);
 
 /* How a part was attached to the model. */
@@ -238,7 +280,7 @@ typedef struct FlgModelView {
     const float* joint_radii;       /* radius of the shape around the joint, metres */
     const uint32_t* joint_parents;  /* FLG_NO_INDEX: a root */
     const uint32_t* joint_parts;    /* the part each joint lies in */
-    const char* const* joint_names; /* the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ... */
+    const char* const* joint_names; /* the joint's key, unless it was renamed */
     uint32_t part_count;
     float size;                      /* the size that thresholds are fractions of, metres */
     const FlgPartEvent* part_events; /* one per part: how it was connected, before refinement of bones */
@@ -249,6 +291,11 @@ typedef struct FlgModelView {
     const uint32_t* part_twins;      /* one per part: its mirror image; FLG_NO_INDEX: none */
     const uint8_t* part_mirrored;    /* one per part: 1 for a mirror image, 0 for a drawn part */
     double origin[3];              /* metres: what positions are relative to */
+    const char* const* joint_keys; /* what edits know a joint by: the part's name, then a number: tail_0, tail_1, ...,
+                                      arm_0.L, ...; where a part attaches: torso_at_arm; the middle of a trunk:
+                                      torso_root */
+    const double* joint_places;    /* 3 per joint: where it is in the drawing of its part, as FlgJointEdit::at */
+    const uint8_t* joint_pinned;   /* one per joint: 1 if an edit pins it */
 } FlgModelView;
 
 FLG_API FlgResult flgModelViewInit(FlgModelView* view, uint32_t struct_size);
@@ -430,6 +477,12 @@ static inline FlgBoneThresholds flgBoneThresholdsDefaults(void) {
     FlgBoneThresholds thresholds;
     flgBoneThresholdsInit(&thresholds, (uint32_t)sizeof thresholds);
     return thresholds;
+}
+
+static inline FlgJointEdit flgJointEditDefaults(void) {
+    FlgJointEdit edit;
+    flgJointEditInit(&edit, (uint32_t)sizeof edit);
+    return edit;
 }
 
 static inline FlgModelDesc flgModelDefaults(void) {

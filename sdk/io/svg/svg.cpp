@@ -87,7 +87,9 @@ struct SvgTag {
 
 class SvgTags {
 public:
-    explicit SvgTags(std::string_view text) : text_(text) {}
+    explicit SvgTags(std::string_view text) : text_(text) {
+        if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);  // a byte order mark
+    }
     // False at the end. Fails where a tag or a comment does not end, or an attribute has no value in quotes.
     bool next(SvgTag& tag);
 

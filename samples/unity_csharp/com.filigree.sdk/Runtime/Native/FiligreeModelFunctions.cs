@@ -106,6 +106,9 @@ namespace Filigree
         public static extern FlgResult flgBoneThresholdsInit(FlgBoneThresholds* thresholds, uint struct_size);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgJointEditInit(FlgJointEdit* edit, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelPartInit(FlgModelPart* part, uint struct_size);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
@@ -113,9 +116,11 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that makes one skeleton from the parts, sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: it
-        /// places joints along the branches, connects parts, merges junctions, and removes short branches and bones. A
-        /// part that meets no earlier one becomes a root. FlgResult.ErrorLimit above 65535 joints. Cost: about 12 us a
-        /// part.
+        /// places joints along the branches, connects parts, merges junctions, and removes short branches and bones.
+        /// The hierarchy begins in the middle of the trunk; a part that meets no other is another root. Joints of one
+        /// contour that is its own mirror image are mirror images too. The job fails if an edit pins a joint outside of
+        /// its part, merges a root or gives two joints one name; the model before it stays as it was.
+        /// FlgResult.ErrorLimit above 65535 joints. Cost: 20 us a part.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelCreate(
@@ -280,6 +285,13 @@ namespace Filigree
         {
             FlgBoneThresholds made;
             flgBoneThresholdsInit(&made, (uint)sizeof(FlgBoneThresholds));
+            return made;
+        }
+
+        public static FlgJointEdit flgJointEditDefaults()
+        {
+            FlgJointEdit made;
+            flgJointEditInit(&made, (uint)sizeof(FlgJointEdit));
             return made;
         }
 

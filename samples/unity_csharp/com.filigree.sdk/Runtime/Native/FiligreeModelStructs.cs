@@ -129,20 +129,26 @@ namespace Filigree
     }
 
     /// <summary>
-    /// Resolution of the bones. Fractions are of the model's size, the largest length among its placed parts; the
-    /// defaults equal the paper's pixels for a size of 2,000 pixels. 0 to 10 each.
+    /// Resolution of the bones. The four are fractions of the model's size, the largest length among its placed parts:
+    /// 0 to 10 each. The defaults give a person some 20 joints. The paper's are 0.0025, 0.015, 0.015 and 0.005, with
+    /// detail 0.
     /// </summary>
     public unsafe partial struct FlgBoneThresholds
     {
         public uint struct_size;
-        /// <summary>how far joints along a branch may deviate from axis and shape; default 0.0025</summary>
+        /// <summary>how far joints along a branch may deviate from axis and shape; default 0.01</summary>
         public float simplify;
-        /// <summary>merges junctions closer than this along the bones; default 0.015</summary>
+        /// <summary>merges junctions closer than this along the bones; default 0.03</summary>
         public float merge;
-        /// <summary>removes shorter branches that lead to an end; default 0.015</summary>
+        /// <summary>removes shorter branches that lead to an end; default 0.03</summary>
         public float prune;
-        /// <summary>removes bones shorter than this with bones at both ends; default 0.005</summary>
+        /// <summary>removes bones shorter than this with bones at both ends; default 0.01</summary>
         public float collapse;
+        /// <summary>
+        /// one number for all: divides the four, and gives limbs more joints the longer they are for their width, in
+        /// equal limbs the same number: 2 is finer, 0.5 coarser. 0.05 to 20; 0: the four alone, as they are. Default 1
+        /// </summary>
+        public float detail;
     }
 
     /// <summary>A part, its place in a model, and its refinement there.</summary>
@@ -174,6 +180,38 @@ namespace Filigree
         public FlgBoneThresholds* thresholds;
         /// <summary>one per branch of the part; negative: the part's value; null: the part's value for all</summary>
         public float* branch_simplify;
+        /// <summary>
+        /// index in desc.parts of the part it attaches to, wherever both are; its own index: none; FLG_NO_INDEX: found.
+        /// Default FLG_NO_INDEX
+        /// </summary>
+        public uint parent;
+        public uint reserved;
+        /// <summary>
+        /// key of the parent's joint that it attaches to; null, or not there: the nearest place. Default null
+        /// </summary>
+        public byte* parent_joint;
+    }
+
+    /// <summary>
+    /// Joints are told by their keys (FlgModelView::joint_keys), which survive edits of the drawing: pass the same list
+    /// with every model. A key without its .L or .R means both. Edits of joints that are not there wait until they are.
+    /// </summary>
+    public unsafe partial struct FlgJointEdit
+    {
+        /// <summary>the same of all edits of a model</summary>
+        public uint struct_size;
+        /// <summary>default FlgJointEditKind.Pin</summary>
+        public FlgJointEditKind kind;
+        /// <summary>its key</summary>
+        public byte* joint;
+        /// <summary>for SPLIT and RENAME: UTF-8, 1 to 127 bytes, unique in the model; default null</summary>
+        public byte* name;
+        /// <summary>
+        /// for PIN: in the drawing of the joint's part, z at right angles to it; inside of the part. Default 0
+        /// </summary>
+        public fixed double at[3];
+        /// <summary>for SPLIT: 0 at the parent, 1 at the joint, exclusive; default 0.5</summary>
+        public double share;
     }
 
     public unsafe partial struct FlgModelDesc
@@ -182,7 +220,9 @@ namespace Filigree
         /// <summary>1 to 4096</summary>
         public uint part_count;
         public FlgJobOptions* job;
-        /// <summary>in modelling order: a part attaches to an earlier one</summary>
+        /// <summary>
+        /// in modelling order: the trunk comes first wherever it is, then a part attaches to an earlier one
+        /// </summary>
         public FlgModelPart* parts;
         /// <summary>null: the defaults</summary>
         public FlgBoneThresholds* thresholds;
@@ -198,6 +238,22 @@ namespace Filigree
         public uint reserved;
         /// <summary>metres: what placements and `mirror` are relative to. Default 0</summary>
         public fixed double origin[3];
+        /// <summary>
+        /// the trunk, an index of parts: the hierarchy begins there. FLG_NO_INDEX: the part of the largest area that is
+        /// not mirrored. Default FLG_NO_INDEX
+        /// </summary>
+        public uint root;
+        /// <summary>up to 65535. Default 0</summary>
+        public uint joint_edit_count;
+        /// <summary>key of the root part's joint; null, or not there: its middle. Default null</summary>
+        public byte* root_joint;
+        /// <summary>applied in order; copied. Default null</summary>
+        public FlgJointEdit* joint_edits;
+        /// <summary>
+        /// what this model was before its parts changed: joints keep the keys they have in it, by part and place. Its
+        /// job may still run. Default null: keys are new
+        /// </summary>
+        public FlgModel previous;
     }
 
     /// <summary>
@@ -217,7 +273,7 @@ namespace Filigree
         public uint* joint_parents;
         /// <summary>the part each joint lies in</summary>
         public uint* joint_parts;
-        /// <summary>the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ...</summary>
+        /// <summary>the joint's key, unless it was renamed</summary>
         public byte** joint_names;
         public uint part_count;
         /// <summary>the size that thresholds are fractions of, metres</summary>
@@ -239,6 +295,15 @@ namespace Filigree
         public byte* part_mirrored;
         /// <summary>metres: what positions are relative to</summary>
         public fixed double origin[3];
+        /// <summary>
+        /// what edits know a joint by: the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ...; where a part
+        /// attaches: torso_at_arm; the middle of a trunk: torso_root
+        /// </summary>
+        public byte** joint_keys;
+        /// <summary>3 per joint: where it is in the drawing of its part, as FlgJointEdit::at</summary>
+        public double* joint_places;
+        /// <summary>one per joint: 1 if an edit pins it</summary>
+        public byte* joint_pinned;
     }
 
     /// <summary>A surface in one piece and the joints that move it, in the rest pose: no joint is rotated.</summary>

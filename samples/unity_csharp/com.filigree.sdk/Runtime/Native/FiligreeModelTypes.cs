@@ -5,6 +5,24 @@ using System;
 
 namespace Filigree
 {
+    /// <summary>What a host or its user sets about a joint.</summary>
+    public enum FlgJointEditKind
+    {
+        /// <summary>
+        /// FLG_JOINT_EDIT_KIND_PIN: the joint stays at `at`, also if that moves it, and is never refined away; one that
+        /// is not there is made on the nearest bone of its part
+        /// </summary>
+        Pin = 0,
+        /// <summary>
+        /// FLG_JOINT_EDIT_KIND_SPLIT: a new joint, with `name` as its key, on the bone from its parent, at `share`
+        /// </summary>
+        Split = 1,
+        /// <summary>FLG_JOINT_EDIT_KIND_MERGE: the joint becomes one with its parent, which stays where it is</summary>
+        Merge = 2,
+        /// <summary>FLG_JOINT_EDIT_KIND_RENAME: the joint is called `name`; its key stays</summary>
+        Rename = 3,
+    }
+
     /// <summary>How a part was attached to the model.</summary>
     public enum FlgPartEvent
     {
