@@ -20,8 +20,8 @@ inline constexpr uint32_t no_number = 0xffffffffu;
 
 class BoneGraph {
 public:
-    // What refinement does with a joint: one on the mirror axis of its part is kept where an image could be kept too; one
-    // that is pinned is never moved or removed.
+    // What refinement does with a joint: one on the mirror axis of its part is kept where an image could be kept too;
+    // one that is pinned is never moved or removed.
     enum class Hold : uint8_t { none, middle, pinned };
     struct Joint {
         Vec3 at;

@@ -26,8 +26,8 @@ private:
     Point2 moved(const Point2& p, double left) const { return {p.x - left * along.y, p.y + left * along.x}; }
 };
 
-// None where the line and its image are farther apart than `tolerance` somewhere. Takes about 0.3 us a point, and 0.1 ms
-// for a line that has an axis.
+// None where the line and its image are farther apart than `tolerance` somewhere. Takes about 0.3 us a point, and
+// 0.1 ms for a line that has an axis.
 Task<std::optional<MirrorAxis>> find_mirror(Pace& pace, const Contour& contour, double tolerance);
 
 // What is to the left of the axis, closed along it; nothing where the line crosses the axis more than twice.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Who a joint is: a key that survives edits of the drawing. A part's own joints are numbered along it, alone, from where
-// it hangs: what else the model has and where parts meet does not change that. Other joints are told by what they are
-// for: where another part hangs, or the middle of the trunk.
+// Who a joint is: a key that survives edits of the drawing. A part's own joints are numbered along it, alone, from
+// where it hangs: what else the model has and where parts meet does not change that. Other joints are told by what they
+// are for: where another part hangs, or the middle of the trunk.
 //
 // Where there is a model from before, the own joints of a part of the same name keep their numbers: two joints are the
 // same if in the drawing each is the other's nearest, and near. Numbers of joints that are gone are not given again at
