@@ -71,8 +71,8 @@ struct PartSkeleton {
     std::pmr::vector<uint32_t> twins;
 };
 
-// Samples are `spacing` apart at most. A branch ends also where `stops` has 1 for a node; none: nowhere else. Takes about
-// 5 ns a sample and edge of the contour.
+// Samples are `spacing` apart at most. A branch ends also where `stops` has 1 for a node; none: nowhere else. Takes
+// about 5 ns a sample and edge of the contour.
 Task<PartSkeleton> axis_branches(Pace& pace, const Contour& contour, AxisGraph graph, double spacing,
                                  std::span<const uint8_t> stops = {});
 
