@@ -17,7 +17,7 @@ constexpr double off_real = 0.02;   // of the moments: what is left of them besi
 constexpr double alike = 1e-4;      // by the area: shapes as long along one axis as along another
 constexpr double upright = 1e-6;    // axes as upright as each other
 constexpr uint32_t probes = 48;     // points of the line whose images are looked up
-constexpr double on_axis = 1e-9;    // of the line's size
+constexpr double on_axis = 1e-6;    // of the line's size: drawn points may be floats
 
 struct Complex {
     double re = 0, im = 0;
@@ -183,14 +183,26 @@ Task<Contour> with_image(Pace& pace, const Contour& half, MirrorAxis axis, doubl
     double size = 0;
     co_await each(pace, count, Cost::some_ns,
                   [&](uint32_t i) { size = std::max(size, distance(axis.at, half.points[i])); });
-    const auto is_on = [&](uint32_t i) { return std::abs(axis.side(half.points[i])) <= 10 * on_axis * size; };
-    // The first point behind the stretch along the axis.
-    uint32_t begin = 0;
-    while (begin < count && !(is_on(begin) && !is_on(half.next(begin)))) ++begin;
-    if (begin == count) co_return whole;
     const auto along = [&](const Point2& p) {
         return axis.along.x * (p.x - axis.at.x) + axis.along.y * (p.y - axis.at.y);
     };
+    // The longest edge beside the axis is the one that closes the half; what else is on the axis there goes with it.
+    // Its ends may be off: the half is simplified.
+    const double beside = std::max(2 * tolerance, 10 * on_axis * size);
+    const auto is_within = [&](uint32_t i, double reach) { return std::abs(axis.side(half.points[i])) <= reach; };
+    double longest = 0;
+    uint32_t begin = count, end = count;
+    co_await each(pace, count, Cost::some_ns, [&](uint32_t i) {
+        const uint32_t next = half.next(i);
+        if (!is_within(i, beside) || !is_within(next, beside)) return;
+        const double length = std::abs(along(half.points[next]) - along(half.points[i]));
+        if (length > longest) longest = length, end = i, begin = next;
+    });
+    if (begin == count) co_return whole;
+    const auto previous = [&](uint32_t i) { return i == 0 ? count - 1 : i - 1; };
+    while (begin != end && is_within(half.next(begin), 10 * on_axis * size)) begin = half.next(begin);
+    while (begin != end && is_within(previous(end), 10 * on_axis * size)) end = previous(end);
+    if (begin == end || half.next(begin) == end) co_return whole;
     const auto is_corner = [&](uint32_t on, uint32_t off) {
         return std::abs(along(half.points[on]) - along(half.points[off])) > tolerance;
     };
@@ -199,7 +211,7 @@ Task<Contour> with_image(Pace& pace, const Contour& half, MirrorAxis axis, doubl
     const auto first = static_cast<uint32_t>(whole.points.size());
     uint32_t i = half.next(begin), before = i;
     co_await repeat(pace, Cost::tens_of_ns, [&] {
-        if (is_on(i)) return false;
+        if (i == end) return false;
         whole.points.push_back(half.points[i]);
         before = i;
         i = half.next(i);

@@ -17,6 +17,7 @@ namespace flg {
 namespace {
 
 constexpr size_t max_joints = 65535;
+constexpr double bulge = 0.15;    // of a junction's radius: branches of a part alone that reach less beyond are none
 constexpr double on_axis = 1e-9;  // of a part's length: joints on its mirror axis are that near
 
 // The joints of a part: of the ends of its branches, and those chosen along them.
@@ -151,7 +152,8 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     std::pmr::vector<RefinementThresholds> thresholds(memory);
     const auto in_space = [&](const FlgBoneThresholds& shares) {
         const double unit = shares.detail > 0 ? m.size / shares.detail : m.size;
-        return RefinementThresholds{shares.merge * unit, shares.prune * unit, shares.collapse * unit};
+        return RefinementThresholds{shares.merge * unit, shares.prune * unit, shares.collapse * unit,
+                                    shares.prune > 0 ? bulge : 0};
     };
     {
         const PartJoints chosen = co_await choose_joints(pace, m);
@@ -165,6 +167,8 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     thresholds.push_back(in_space(m.thresholds));
     // First each part alone: so its joints are the same wherever it is.
     co_await refine(pace, graph, thresholds);
+    // What hangs on a part may lie in it, like an eye in a head.
+    for (RefinementThresholds& own : thresholds) own.bulge = 0;
     pace.stage("connect");
     Hierarchy hierarchy = co_await connect_parts(pace, m, graph, first_joints, thresholds.back().collapse);
     m.previous.reset();

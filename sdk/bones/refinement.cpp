@@ -138,8 +138,20 @@ Task<void> merge_junctions(Pace& pace, Thresholds thresholds, BoneGraph& graph) 
     });
 }
 
-Task<void> prune(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
+// How far an end's ball reaches beyond another one, by that one's radius.
+double reach_beyond(const BoneGraph::Joint& end, const BoneGraph::Joint& ball) {
+    return ((end.at - ball.at).norm() + end.radius - ball.radius) / ball.radius;
+}
+
+// What is short, or else what bulges. True if there was any.
+Task<bool> prune(Pace& pace, Thresholds thresholds, bool bulges, BoneGraph& graph) {
     std::pmr::vector<Branch> branches(pace.memory());
+    std::pmr::vector<uint32_t> widest(thresholds.size(), no_number, pace.memory());  // joint of each part
+    co_await each(pace, graph.joints().size(), Cost::some_ns, [&](uint32_t j) {
+        if (!graph.is_there(j) || graph.joints()[j].part >= widest.size()) return;
+        uint32_t& own = widest[graph.joints()[j].part];
+        if (own == no_number || graph.joints()[j].radius > graph.joints()[own].radius) own = j;
+    });
     Slice slice(Cost::tens_of_ns);
     for (uint32_t joint = 0; joint < graph.joints().size(); ++joint) {
         if (slice.is_over()) co_await pace;
@@ -150,8 +162,14 @@ Task<void> prune(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
             is_held = is_held || is_pinned(graph, at);
             if (slice.is_over()) co_await pace;
         }
-        if (!is_held && is_junction(graph, walk.joint) && walk.length < of(thresholds, walk.part).prune)
-            branches.push_back({joint, walk.joint});
+        const RefinementThresholds& own = of(thresholds, walk.part);
+        bool is_short = !bulges && walk.length < own.prune;
+        if (bulges && own.bulge > 0 && walk.part != no_number) {
+            const BoneGraph::Joint& end = graph.joints()[joint];
+            is_short = reach_beyond(end, graph.joints()[walk.joint]) < own.bulge ||
+                       reach_beyond(end, graph.joints()[widest[walk.part]]) < own.bulge;
+        }
+        if (!is_held && is_junction(graph, walk.joint) && is_short) branches.push_back({joint, walk.joint});
     }
     for (const Branch& branch : branches) {
         for (uint32_t joint = branch.joint; joint != branch.way;) {
@@ -161,6 +179,7 @@ Task<void> prune(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
             if (slice.is_over()) co_await pace;
         }
     }
+    co_return !branches.empty();
 }
 
 // A bone and its length. In a queue the shortest comes first; then that with the lowest number.
@@ -212,7 +231,8 @@ Task<void> collapse(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
 
 Task<void> refine(Pace& pace, BoneGraph& graph, std::span<const RefinementThresholds> thresholds) {
     co_await merge_junctions(pace, thresholds, graph);
-    co_await prune(pace, thresholds, graph);
+    co_await prune(pace, thresholds, false, graph);
+    for (bool goes_on = true; goes_on;) goes_on = co_await prune(pace, thresholds, true, graph);
     co_await collapse(pace, thresholds, graph);
 }
 

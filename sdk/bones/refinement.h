@@ -7,9 +7,10 @@
 // - Collapsing: bones shorter than a threshold whose ends both have other bones are contracted, the shortest first, to
 //   the end that is a junction, else to the one with the larger radius.
 //
-// Departures: joints that are pinned stay as they are. Where an end on the mirror axis of its part and its mirror image
-// could be kept, that end is; and of several junctions as wide as each other, one on the axis or their middle. So
-// mirror images stay mirror images.
+// Departures: branches whose end reaches beyond the ball of their junction, or the largest one of their part, by less
+// than `bulge` of its radius are pruned too, until there is none: those of a round part's corners, which are no limbs. Joints that are pinned stay as they are. Where an
+// end on the mirror axis of its part and its mirror image could be kept, that end is; and of several junctions as wide
+// as each other, one on the axis or their middle. So mirror images stay mirror images.
 //
 // A threshold of a part is for branches and bones that are all of it; what goes from part to part has the model's.
 #pragma once
@@ -23,6 +24,7 @@ namespace flg {
 
 struct RefinementThresholds {
     double merge, prune, collapse;  // lengths in the model's space
+    double bulge = 0;               // of a junction's radius
 };
 
 // thresholds[p] are those of part p, the last ones the model's. Both outlive the task.

@@ -126,6 +126,24 @@ TEST_F(Hierarchy, DefaultsAreForPeople) {
     EXPECT_GE(count(snake()), 10u);
 }
 
+// A drawn head is never a circle: what its corners reach beyond the ball in its middle is no limb. Points so near an
+// axis as floats are, are on it.
+TEST_F(Hierarchy, RoundPartsHaveFewJoints) {
+    for (int corners = 6; corners <= 14; ++corners) {
+        for (const double uneven : {0.0, 0.01}) {
+            Line line;
+            for (int i = 0; i < corners; ++i) {
+                const double angle = 2 * M_PI * i / corners, radius = 1 + uneven * std::sin(7.0 * i + corners);
+                const double x = 2.45 + radius * std::cos(angle), y = 1.75 + radius * std::sin(angle);
+                line.push_back({std::round(1000 * x) / 1000, std::round(1000 * y) / 1000});
+            }
+            std::vector<double> contour = smooth(line);
+            for (double& c : contour) c = double{static_cast<float>(c)};
+            EXPECT_LE(made({part("head", contour)}).joints.size(), 3u) << corners << " " << uneven;
+        }
+    }
+}
+
 TEST_F(Hierarchy, OneNumberMakesBonesFinerAndCoarser) {
     const std::vector<FlgModelPart> parts = {part("drawn", smooth(person()))};
     FlgModelDesc desc = desc_of(parts);
