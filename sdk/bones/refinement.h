@@ -9,9 +9,9 @@
 //
 // Departures: branches whose end reaches beyond the ball of their junction, or the largest one of their part, by less
 // than `bulge` of its radius are pruned too, until there is none: those of a round part's corners, which are no limbs.
-// Joints that are pinned stay as they are. Where an
-// end on the mirror axis of its part and its mirror image could be kept, that end is; and of several junctions as wide
-// as each other, one on the axis or their middle. So mirror images stay mirror images.
+// Joints that are pinned stay as they are. Where an end on the mirror axis of its part and its mirror image could be
+// kept, that end is; and of several junctions as wide as each other, one on the axis or their middle. So mirror images
+// stay mirror images.
 //
 // A threshold of a part is for branches and bones that are all of it; what goes from part to part has the model's.
 #pragma once
