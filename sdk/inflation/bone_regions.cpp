@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <queue>
 
 namespace flg {
@@ -21,7 +22,7 @@ public:
           corners_(corners),
           bone_of_(bone_of),
           distance_(part.points.size(), memory),
-          queue_(std::greater<>(), std::pmr::vector<Reached>(memory)) {}
+          queue_(std::greater<>(), std::pmr::deque<Reached>(memory)) {}
 
     void clear(uint32_t vertex) {
         distance_[vertex] = HUGE_VAL;
@@ -86,7 +87,7 @@ private:
     const Groups& corners_;
     Buffer<uint32_t>& bone_of_;
     Buffer<double> distance_;
-    std::priority_queue<Reached, std::pmr::vector<Reached>, std::greater<>> queue_;
+    std::priority_queue<Reached, std::pmr::deque<Reached>, std::greater<>> queue_;
 };
 
 double distance_to(const Point2& p, const Point2& from, const Point2& to) {

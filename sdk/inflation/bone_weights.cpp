@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <queue>
 #include <vector>
 
@@ -313,8 +314,8 @@ Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig,
         uint32_t vertex;
         auto operator<=>(const Entry&) const = default;
     };
-    std::priority_queue<Entry, std::pmr::vector<Entry>> queue(std::less<Entry>(),
-                                                              std::pmr::vector<Entry>(pace.memory()));
+    // A vector that grows would be copied in one slice.
+    std::priority_queue<Entry, std::pmr::deque<Entry>> queue(std::less<Entry>(), std::pmr::deque<Entry>(pace.memory()));
     const auto offer = [&](uint32_t vertex, double distance) {
         if (!(distance > all.spread[vertex])) return;
         all.spread[vertex] = distance;
