@@ -50,26 +50,6 @@ struct Moments {
     double size(uint32_t k) const { return std::hypot(of[k].re, of[k].im); }
 };
 
-struct Size {
-    double area, length;
-    Point2 middle;
-};
-
-Task<Size> measure(Pace& pace, const Contour& contour) {
-    const Point2 origin = contour.points[0];
-    double doubled = 0, x = 0, y = 0, length = 0;
-    co_await each(pace, contour.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        const Point2 &a = contour.points[i], &b = contour.points[contour.next(i)];
-        const Point2 p{a.x - origin.x, a.y - origin.y}, q{b.x - origin.x, b.y - origin.y};
-        const double cross = p.x * q.y - q.x * p.y;
-        doubled += cross;
-        x += cross * (p.x + q.x);
-        y += cross * (p.y + q.y);
-        length += distance(a, b);
-    });
-    co_return {0.5 * doubled, length, {origin.x + x / (3 * doubled), origin.y + y / (3 * doubled)}};
-}
-
 Task<bool> is_axis(Pace& pace, const Contour& contour, MirrorAxis axis, double tolerance) {
     const uint32_t step = std::max(1u, contour.size() / probes);
     for (uint32_t i = 0; i < contour.size(); i += step) {
@@ -91,12 +71,27 @@ Point2 crossing(const MirrorAxis& axis, const Point2& a, const Point2& b) {
 
 }  // namespace
 
+Task<ContourArea> area_within(Pace& pace, const Contour& contour) {
+    const Point2 origin = contour.points[0];
+    double doubled = 0, x = 0, y = 0;
+    co_await each(pace, contour.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Point2 &a = contour.points[i], &b = contour.points[contour.next(i)];
+        const Point2 p{a.x - origin.x, a.y - origin.y}, q{b.x - origin.x, b.y - origin.y};
+        const double cross = p.x * q.y - q.x * p.y;
+        doubled += cross;
+        x += cross * (p.x + q.x);
+        y += cross * (p.y + q.y);
+    });
+    co_return {0.5 * doubled, {origin.x + x / (3 * doubled), origin.y + y / (3 * doubled)}};
+}
+
 Task<std::optional<MirrorAxis>> find_mirror(Pace& pace, const Contour& contour, double tolerance) {
     if (contour.ring_count() > 1) co_return std::nullopt;
-    const Size size = co_await measure(pace, contour);
-    const double unit = 1 / std::sqrt(size.area);
+    const ContourArea within = co_await area_within(pace, contour);
+    const double unit = 1 / std::sqrt(within.area);
     const auto scaled = [&](uint32_t i) {
-        return Complex{(contour.points[i].x - size.middle.x) * unit, (contour.points[i].y - size.middle.y) * unit};
+        return Complex{(contour.points[i].x - within.centroid.x) * unit,
+                       (contour.points[i].y - within.centroid.y) * unit};
     };
     Moments moments;
     co_await each(pace, contour.size(), Cost::hundreds_of_ns,
@@ -120,7 +115,7 @@ Task<std::optional<MirrorAxis>> find_mirror(Pace& pace, const Contour& contour, 
             rest += std::abs((moments.of[n] * Complex{std::cos(back), std::sin(back)}).im);
         }
         if (rest > off_real * sum) continue;
-        MirrorAxis axis{size.middle, {std::cos(turn), std::sin(turn)}};
+        MirrorAxis axis{within.centroid, {std::cos(turn), std::sin(turn)}};
         if (axis.along.y < 0) axis.along = {-axis.along.x, -axis.along.y};
         const double length = (moments.of[0] * Complex{std::cos(-2 * turn), std::sin(-2 * turn)}).re;
         const bool is_alike = std::abs(length - best_length) <= alike;

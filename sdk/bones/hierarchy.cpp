@@ -8,6 +8,7 @@
 
 #include "bones/joint_labels.h"
 #include "runtime/each.h"
+#include "skeletons/node_clusters.h"
 
 namespace flg {
 namespace {
@@ -28,27 +29,6 @@ bool is_better_root(const HeldModel& model, uint32_t a, uint32_t b) {
     return area_of(x) > area_of(y);
 }
 
-// Parts that hang together.
-class PartGroups {
-public:
-    PartGroups(size_t parts, Memory* memory) : of_(parts, memory), is_in_(parts, memory) {}
-    void clear(uint32_t part) { of_[part] = part, is_in_[part] = 0; }
-    void add(uint32_t part) { is_in_[part] = 1; }
-    bool has(uint32_t part) const { return is_in_[part] != 0; }
-    uint32_t find(uint32_t part) {
-        while (of_[part] != part) part = of_[part] = of_[of_[part]];
-        return part;
-    }
-    void unite(uint32_t a, uint32_t b) {
-        const uint32_t first = find(a), second = find(b);
-        of_[std::max(first, second)] = std::min(first, second);
-    }
-
-private:
-    Buffer<uint32_t> of_;
-    Buffer<uint8_t> is_in_;
-};
-
 class Builder {
 public:
     Builder(Pace& pace, HeldModel& model, BoneGraph& graph, std::span<const uint32_t> first_joints, double collapse)
@@ -63,6 +43,7 @@ public:
           shapes_(pace.memory()),
           outline_(pace.memory()),
           groups_(model.parts.size(), pace.memory()),
+          is_placed_(model.parts.size(), pace.memory()),
           may_meet_(model.parts.size(), pace.memory()),
           hung_(pace.memory()) {}
 
@@ -85,7 +66,8 @@ private:
         co_await each(pace_, part_count(), Cost::tens_of_ns, [&](uint32_t p) {
             const ModelPart& part = model_.parts[p];
             const HeldPart& drawn = *part.part;
-            groups_.clear(p);
+            groups_.begin(p);
+            is_placed_[p] = 0;
             WidePart shape;
             if (is_wide(drawn.area, drawn.length)) shape.outline = &drawn.outline;
             shape.placement = part.placement, shape.scale = part.scale, shape.thickness = part.thickness;
@@ -129,7 +111,7 @@ private:
         put_in_order(trunk_, order, is_in);
         co_await each(pace_, part_count(), Cost::tens_of_ns, [&](uint32_t p) { put_in_order(p, order, is_in); });
         for (const uint32_t p : order) {
-            groups_.add(p);
+            is_placed_[p] = 1;
             co_await place_outline(p);
             const ModelPart& part = model_.parts[p];
             if (part.parent == no_number) {
@@ -157,7 +139,7 @@ private:
 
     bool add(const PartLink& link) {
         if (link.event == PartLink::Event::root) return false;
-        groups_.unite(link.child, link.parent);
+        groups_.join(link.child, link.parent);
         if (hung_[link.child].event == PartLink::Event::root) hung_[link.child] = link;
         edges_.push_back(link);
         return true;
@@ -165,10 +147,10 @@ private:
 
     // Parts that do not hang together with this one yet; returns whether there are any.
     Task<bool> may_meet(uint32_t part, bool as_children = false) {
-        const uint32_t own = groups_.find(part), twin = model_.parts[part].twin;
+        const uint32_t own = groups_.first(part), twin = model_.parts[part].twin;
         bool any = false;
         co_await each(pace_, part_count(), Cost::tens_of_ns, [&](uint32_t p) {
-            may_meet_[p] = groups_.has(p) && p != twin && groups_.find(p) != own &&
+            may_meet_[p] = is_placed_[p] != 0 && p != twin && groups_.first(p) != own &&
                            !(as_children && model_.parts[p].parent != no_number);
             any = any || may_meet_[p] != 0;
         });
@@ -178,7 +160,7 @@ private:
     // Where the host says. A joint is found once the parent's are numbered.
     Task<void> hang(uint32_t p, const ModelPart& part) {
         if (!part.parent_joint.empty()) {
-            groups_.unite(p, part.parent);
+            groups_.join(p, part.parent);
             edges_.push_back({PartLink::Event::joint_connect, part.parent, no_number, no_number, p});
             co_return;
         }
@@ -205,12 +187,12 @@ private:
         Buffer<uint32_t> root_of(part_count(), pace_.memory());  // by group
         co_await each(pace_, part_count(), Cost::some_ns, [&](uint32_t p) { root_of[p] = no_number; });
         co_await each(pace_, part_count(), Cost::tens_of_ns, [&](uint32_t p) {
-            uint32_t& root = root_of[groups_.find(p)];
+            uint32_t& root = root_of[groups_.first(p)];
             if (root == no_number || p == trunk_ || (root != trunk_ && is_better_root(model_, p, root))) root = p;
         });
         roots.push_back(trunk_);
         co_await each(pace_, part_count(), Cost::tens_of_ns, [&](uint32_t p) {
-            if (p != trunk_ && root_of[groups_.find(p)] == p) roots.push_back(p);
+            if (p != trunk_ && root_of[groups_.first(p)] == p) roots.push_back(p);
         });
         const Groups edges = co_await group_by(pace_, 2 * edges_.size(), part_count(), [&](uint32_t end) {
             return end % 2 == 0 ? edges_[end / 2].child : edges_[end / 2].parent;
@@ -467,7 +449,8 @@ private:
     Groups own_ends_;
     std::pmr::vector<WidePart> shapes_;
     std::pmr::vector<Vec3> outline_;
-    PartGroups groups_;
+    NodeClusters groups_;        // parts that hang together
+    Buffer<uint8_t> is_placed_;  // by part: it has come
     Buffer<uint8_t> may_meet_;
     std::pmr::vector<PartLink> hung_;
     std::pmr::unordered_map<std::pmr::string, uint32_t> earlier_{pace_.memory()};

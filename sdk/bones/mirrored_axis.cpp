@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "runtime/each.h"
+#include "skeletons/node_clusters.h"
 
 namespace flg {
 namespace {
@@ -53,37 +54,15 @@ Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node, do
     return side > 0 ? Side::left : Side::right;
 }
 
-// Nodes that hang together.
-class Clusters {
-public:
-    Clusters(size_t nodes, Memory* memory) : root_(nodes, 0, memory), left_(nodes) {
-        for (uint32_t i = 0; i < nodes; ++i) root_[i] = i;
-    }
-    bool unite(uint32_t a, uint32_t b) {
-        const uint32_t x = find(a), y = find(b);
-        root_[x] = y;
-        left_ -= x != y;
-        return x != y;
-    }
-    size_t count() const { return left_; }
-
-private:
-    uint32_t find(uint32_t i) {
-        while (root_[i] != i) i = root_[i] = root_[root_[i]];
-        return i;
-    }
-    std::pmr::vector<uint32_t> root_;
-    size_t left_;
-};
-
 // Makes one tree that stays one with its image: what lies on the axis hangs together along it, which is inside of the
 // shape all the way, and each piece to the left hangs on that once, where there is most room.
 bool make_tree(const MirrorAxis& mirror, Half& half, Memory* memory) {
     AxisGraph& graph = half.graph;
-    Clusters clusters(graph.nodes.size(), memory);
+    NodeClusters clusters(graph.nodes.size(), memory);
+    for (uint32_t i = 0; i < graph.nodes.size(); ++i) clusters.begin(i);
     std::pmr::vector<std::array<uint32_t, 2>> arcs(memory);
     const auto add = [&](uint32_t a, uint32_t b) {
-        if (clusters.unite(a, b)) arcs.push_back({a, b});
+        if (clusters.join(a, b)) arcs.push_back({a, b});
     };
     struct OnAxis {
         double along;
@@ -122,7 +101,7 @@ bool make_tree(const MirrorAxis& mirror, Half& half, Memory* memory) {
     std::sort(joins.begin(), joins.end(), shorter);
     for (const Gap& join : joins) add(join.a, join.b);
     graph.arcs = std::move(arcs);
-    return !nodes.empty() && clusters.count() == 1;
+    return !nodes.empty() && graph.arcs.size() + 1 == graph.nodes.size();
 }
 
 Task<Half> left_half(Pace& pace, const AxisGraph& graph, MirrorAxis mirror, double reach) {

@@ -47,19 +47,9 @@ Task<double> length_of(Pace& pace, const Contour& drawn) {
 
 // Area, its middle, and the widest place.
 Task<void> measure(Pace& pace, HeldPart& part) {
-    const Contour& outline = part.outline;
-    const Point2 origin = outline.points[0];
-    double doubled = 0, x = 0, y = 0;
-    co_await each(pace, outline.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        const Point2 &a = outline.points[i], &b = outline.points[outline.next(i)];
-        const Point2 p{a.x - origin.x, a.y - origin.y}, q{b.x - origin.x, b.y - origin.y};
-        const double cross = p.x * q.y - q.x * p.y;
-        doubled += cross;
-        x += cross * (p.x + q.x);
-        y += cross * (p.y + q.y);
-    });
-    part.area = 0.5 * doubled;
-    part.centroid = {origin.x + x / (3 * doubled), origin.y + y / (3 * doubled)};
+    const ContourArea within = co_await area_within(pace, part.outline);
+    part.area = within.area;
+    part.centroid = within.centroid;
     const auto& nodes = part.skeleton.graph.nodes;
     co_await each(pace, nodes.size(), Cost::some_ns,
                   [&](uint32_t i) { part.widest = std::max(part.widest, nodes[i].clearance); });

@@ -19,9 +19,11 @@ public:
         while (towards_[node] != node) node = towards_[node] = towards_[towards_[node]];
         return node;
     }
-    void join(uint32_t a, uint32_t b) {
+    // False if they were one already.
+    bool join(uint32_t a, uint32_t b) {
         const uint32_t first_a = first(a), first_b = first(b);
         towards_[std::max(first_a, first_b)] = std::min(first_a, first_b);
+        return first_a != first_b;
     }
 
 private:

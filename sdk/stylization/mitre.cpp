@@ -95,15 +95,24 @@ void keep_inside(const std::array<CornerSide, 2>& sides, const Vec3& place, cons
 
 class Mitre {
 public:
-    explicit Mitre(const MitreInput& input) : input_(input), sampler_(input.plan) { take_piece(); }
+    explicit Mitre(const MitreInput& input) : input_(input) { take_piece(); }
 
-    // False when all samples have come.
-    bool run(uint32_t units) {
-        if (done_ == input_.plan.sample_count()) return false;
-        const uint32_t count = sampler_.next(block_, units);
-        for (uint32_t k = 0; k < count; ++k) cut(done_ + k, block_.position_of(k), block_.tangent_of(k));
-        done_ += count;
-        return true;
+    // Samples come in order.
+    void cut(uint32_t sample, const Vec3& place, const Vec3& tangent) {
+        while (piece_ + 1 < input_.plan.pieces.size() && sample >= input_.plan.pieces[piece_].end_step) {
+            ++piece_;
+            take_piece();
+        }
+        float* position = input_.positions + size_t{3} * sample;
+        const Vec3 before = load_vec3(position) - place;
+        Vec3 d = before;
+        for (const CornerSide& side : sides_) side.slide(place, tangent, d);
+        keep_inside(sides_, place, tangent, d);
+        if (d == before) return;
+        store_vec3(place + d, position);
+        if (!input_.displacement) return;
+        float* displacement = input_.displacement + size_t{3} * sample;
+        store_vec3(load_vec3(displacement) + (d - before) / input_.magnitude, displacement);
     }
 
 private:
@@ -123,36 +132,25 @@ private:
             sides_[1] = {next.start, piece.tangent_end, next.tangent_start, -1, input_.size, half};
         }
     }
-    void cut(uint32_t sample, const Vec3& place, const Vec3& tangent) {
-        while (piece_ + 1 < input_.plan.pieces.size() && sample >= input_.plan.pieces[piece_].end_step) {
-            ++piece_;
-            take_piece();
-        }
-        float* position = input_.positions + size_t{3} * sample;
-        const Vec3 before = load_vec3(position) - place;
-        Vec3 d = before;
-        for (const CornerSide& side : sides_) side.slide(place, tangent, d);
-        keep_inside(sides_, place, tangent, d);
-        if (d == before) return;
-        store_vec3(place + d, position);
-        if (!input_.displacement || input_.magnitude == 0) return;
-        float* displacement = input_.displacement + size_t{3} * sample;
-        store_vec3(load_vec3(displacement) + (d - before) / input_.magnitude, displacement);
-    }
-
     MitreInput input_;
-    FramedSampler sampler_;
-    SampleBlock block_;
     std::array<CornerSide, 2> sides_;
     uint32_t piece_ = 0;
-    uint32_t done_ = 0;
 };
 
 }  // namespace
 
 Task<void> mitre_corners(Pace& pace, MitreInput input) {
     if (input.magnitude == 0) co_return;
-    for (Mitre mitre(input); mitre.run(units_at_once);) co_await pace;
+    Mitre mitre(input);
+    FramedSampler sampler(input.plan);
+    SampleBlock block;
+    for (uint32_t done = 0; done < input.plan.sample_count();) {
+        uint32_t units = units_at_once;
+        const uint32_t count = sampler.next(block, units);
+        for (uint32_t k = 0; k < count; ++k) mitre.cut(done + k, block.position_of(k), block.tangent_of(k));
+        done += count;
+        co_await pace;
+    }
 }
 
 }  // namespace flg

@@ -199,7 +199,6 @@ public:
           base_(mix.base[curve]),
           first_(mix.input.out.offsets()[out_curve]),
           weights_(weights),
-          sampler_(mix.plan(base_, curve)),
           stream_(mix.plan(base_, curve).curve) {
         for (uint32_t i = 0; i < mix.input.count; ++i) {
             maps_[i] = SampleMap(mix.plan(base_, curve), mix.plan(i, curve));
@@ -207,27 +206,29 @@ public:
         }
     }
 
-    // False when all samples have come; takes units.
-    bool run(uint32_t units) {
-        const SamplingPlan& plan = mix_.plan(base_, curve_);
-        if (done_ == plan.sample_count()) return false;
+    // All samples.
+    static Task<void> mix(Pace& pace, CurveMixer& m) {
+        const SamplingPlan& plan = m.mix_.plan(m.base_, m.curve_);
         if (plan.steps == 0) {
-            weight_.fill(0);
-            weight_[base_] = 1;
-            write(0, Vec3::UnitX(), Vec3::UnitY());
-            ++done_;
-            return true;
+            m.weight_.fill(0);
+            m.weight_[m.base_] = 1;
+            m.write(0, Vec3::UnitX(), Vec3::UnitY());
+            co_return;
         }
-        if (taken_ == block_.count) {
-            taken_ = block_.count = 0;
-            if (sampler_.next(block_, units) == 0) return true;
+        FramedSampler sampler(plan);
+        SampleBlock block;
+        for (uint32_t done = 0; done < plan.sample_count();) {
+            uint32_t units = units_at_once, looked = 0;
+            const uint32_t count = sampler.next(block, units);
+            for (uint32_t k = 0; k < count; ++k, ++done) {
+                looked += m.weights_.at(m.arc_length(block.segment[k], block.t[k]), m.weight_);
+                m.write(done, block.tangent_of(k), block.normal_of(k));
+                if (looked < units_at_once) continue;
+                looked = 0;
+                co_await pace;
+            }
+            co_await pace;
         }
-        for (uint32_t left = units_at_once; taken_ < block_.count && left > 0; ++taken_, ++done_) {
-            const uint32_t looked = weights_.at(arc_length(block_.segment[taken_], block_.t[taken_]), weight_);
-            left -= std::min(left, looked);
-            write(done_, block_.tangent_of(taken_), block_.normal_of(taken_));
-        }
-        return true;
     }
 
 private:
@@ -254,10 +255,7 @@ private:
     uint32_t curve_, base_;
     uint32_t first_;
     StyleWeights& weights_;
-    FramedSampler sampler_;
     SegmentStream stream_;
-    SampleBlock block_;
-    uint32_t taken_ = 0, done_ = 0;
     bool begun_ = false;
     double start_ = 0, length_ = 0;
     std::array<SampleMap, styles_max> maps_;
@@ -370,7 +368,8 @@ Task<void> mix_batch(Pace& pace, const Mix& mix, uint32_t batch) {
         const double blend = input.blend > 0 ? input.blend : default_blend(mix, c);
         const std::span<const StyleRun> all(runs.data(), runs.size());
         StyleWeights weights(all, input.target.closed(c), co_await bounded_blend(pace, all, blend));
-        for (CurveMixer mixer(mix, c, out_curve, weights); mixer.run(units_at_once);) co_await pace;
+        CurveMixer mixer(mix, c, out_curve, weights);
+        co_await CurveMixer::mix(pace, mixer);
         if (mix.has_speed) co_await time_motion(pace, input.target, c, input.out, out_curve);
         if (!input.unfinished) input.out.complete_curve(out_curve);
         pace.advance(input.out.offsets()[out_curve + 1] - input.out.offsets()[out_curve]);

@@ -40,14 +40,6 @@ constexpr uint32_t min_samples = 4;
 constexpr double same_share = 0.15, parallel_cosine = 0.95;
 constexpr uint32_t looked_back = 8;
 
-Vec3 place_of(const OrientedSample& sample) {
-    return Vec3(sample.position[0], sample.position[1], sample.position[2]);
-}
-
-Vec3 normal_of(const OrientedSample& sample) {
-    return Vec3(sample.normal[0], sample.normal[1], sample.normal[2]);
-}
-
 }  // namespace
 
 // A sample that covers a point.

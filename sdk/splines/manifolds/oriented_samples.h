@@ -29,6 +29,13 @@ struct OrientedSample {
     double sharpness = 0;          // 1 / radius^2: oriented_samples() sets it
 };
 
+inline Vec3 place_of(const OrientedSample& sample) {
+    return Vec3(sample.position[0], sample.position[1], sample.position[2]);
+}
+inline Vec3 normal_of(const OrientedSample& sample) {
+    return Vec3(sample.normal[0], sample.normal[1], sample.normal[2]);
+}
+
 class OrientedSamples final : public Hypersurface {
 public:
     // From oriented_samples(): samples in the order of the tree, as many as that has. `size`: of the whole surface.

@@ -21,15 +21,7 @@ constexpr double max_bent = 0.7;     // bends over the spacing
 constexpr double max_scale = 0.25;   // of the size
 constexpr double min_radius = 0.25;  // of the mean one: where the scales begin
 
-Vec3 place_of(const OrientedSample& sample) {
-    return Vec3(sample.position.data());
-}
-
-Vec3 normal_of(const OrientedSample& sample) {
-    return Vec3(sample.normal.data());
-}
-
-// Calls visit(sample) for those within `reach` of another one that are on its side. Returns how many it looked at.
+// Calls visit(i) for the samples within `reach` of another one that face its way. Returns how many it looked at.
 template <class Visit>
 uint32_t for_near(const OrientedSamples& surface, const OrientedSample& at, double reach, Visit&& visit) {
     const Vec3 place = place_of(at), normal = normal_of(at);
