@@ -173,6 +173,22 @@ inline std::string bits(const FlgCurveSetView& view) {
     return all;
 }
 
+// The set that make(host) returns has the same bits under any workers and budgets.
+template <class Make>
+void expect_same_bits(const Make& make) {
+    std::string expected;
+    for (const uint32_t workers : {0u, 3u}) {
+        for (const uint32_t budget_us : {FLG_UNLIMITED, 300u}) {
+            const Host host(workers);
+            const FlgCurveSet set = make(host);
+            host.finish(budget_us);
+            const std::string now = bits(host.view_of(set));
+            if (expected.empty()) expected = now;
+            EXPECT_TRUE(now == expected) << workers << " workers, budget " << budget_us;
+        }
+    }
+}
+
 // Expects a failure whose sentence contains `words`.
 inline void expect_failure(FlgResult result, FlgResult expected, const char* words) {
     EXPECT_EQ(result, expected) << flgResultGetName(result);

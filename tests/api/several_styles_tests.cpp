@@ -172,33 +172,25 @@ TEST_F(SeveralStyles, OtherOptionsGoOnWorking) {
 }
 
 TEST_F(SeveralStyles, SameBitsUnderAnyWorkersAndBudgets) {
-    std::string expected;
-    for (const uint32_t workers : {0u, 3u}) {
-        for (const uint32_t budget_us : {FLG_UNLIMITED, 300u}) {
-            Host other(workers);
-            FlgStyle own[2];
-            for (int k = 0; k < 2; ++k) {
-                FlgStyleDesc style = flgStyleDefaults();
-                style.style = other.create(coil(300, 10 + 4 * k, 6, 0.2));
-                ASSERT_EQ(flgStyleCreate(other.context, &style, &own[k], nullptr), FLG_OK);
-            }
-            FlgCurveSetStylizeDesc wanted = flgCurveSetStylizeDefaults();
-            wanted.style = own[0];
-            wanted.further_styles = &own[1];
-            wanted.further_style_count = 1;
-            Columns targets{arcs(40)};
-            wanted.target =
-                targets.with(chooser, 1, [](uint32_t i, uint32_t) { return 0.02 * (i % 60); }).create(other);
-            wanted.drives = &choice;
-            wanted.drive_count = 1;
-            FlgCurveSet out{};
-            ASSERT_EQ(flgCurveSetStylize(other.context, &wanted, &out, nullptr), FLG_OK) << flgErrorGetMessage();
-            other.finish(budget_us);
-            const std::string now = bits(other.view_of(out));
-            if (expected.empty()) expected = now;
-            EXPECT_TRUE(now == expected) << workers << " workers, budget " << budget_us;
+    expect_same_bits([&](const Host& other) {
+        FlgStyle own[2];
+        for (int k = 0; k < 2; ++k) {
+            FlgStyleDesc style = flgStyleDefaults();
+            style.style = other.create(coil(300, 10 + 4 * k, 6, 0.2));
+            EXPECT_EQ(flgStyleCreate(other.context, &style, &own[k], nullptr), FLG_OK);
         }
-    }
+        FlgCurveSetStylizeDesc wanted = flgCurveSetStylizeDefaults();
+        wanted.style = own[0];
+        wanted.further_styles = &own[1];
+        wanted.further_style_count = 1;
+        Columns targets{arcs(40)};
+        wanted.target = targets.with(chooser, 1, [](uint32_t i, uint32_t) { return 0.02 * (i % 60); }).create(other);
+        wanted.drives = &choice;
+        wanted.drive_count = 1;
+        FlgCurveSet out{};
+        EXPECT_EQ(flgCurveSetStylize(other.context, &wanted, &out, nullptr), FLG_OK) << flgErrorGetMessage();
+        return out;
+    });
 }
 
 TEST_F(SeveralStyles, Refusals) {

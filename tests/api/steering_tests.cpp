@@ -249,27 +249,19 @@ TEST_F(Steering, SameBitsUnderAnyWorkersAndBudgets) {
     const FlgStyleDrive drives[] = {{painted, FLG_STYLE_DRIVEN_MAGNITUDE, 0, 1, 0.2f, 1},
                                     {painted, FLG_STYLE_DRIVEN_SCALE, 0, 1, 0.3f, 1},
                                     {painted, FLG_STYLE_DRIVEN_TEMPERATURE, 0, 1, 0, 3}};
-    std::string expected;
-    for (const uint32_t workers : {0u, 3u}) {
-        for (const uint32_t budget_us : {FLG_UNLIMITED, 300u}) {
-            Host other(workers);
-            FlgStyleDesc style = flgStyleDefaults();
-            style.style = other.create(coil());
-            FlgCurveSetStylizeDesc wanted = flgCurveSetStylizeDefaults();
-            ASSERT_EQ(flgStyleCreate(other.context, &style, &wanted.style, nullptr), FLG_OK);
-            Columns targets{arcs(40)};
-            wanted.target =
-                targets.with(painted, 1, [](uint32_t i, uint32_t) { return 0.02 * (i % 60); }).create(other);
-            wanted.drives = drives;
-            wanted.drive_count = 3;
-            FlgCurveSet out{};
-            ASSERT_EQ(flgCurveSetStylize(other.context, &wanted, &out, nullptr), FLG_OK) << flgErrorGetMessage();
-            other.finish(budget_us);
-            const std::string now = bits(other.view_of(out));
-            if (expected.empty()) expected = now;
-            EXPECT_TRUE(now == expected) << workers << " workers, budget " << budget_us;
-        }
-    }
+    expect_same_bits([&](const Host& other) {
+        FlgStyleDesc style = flgStyleDefaults();
+        style.style = other.create(coil());
+        FlgCurveSetStylizeDesc wanted = flgCurveSetStylizeDefaults();
+        EXPECT_EQ(flgStyleCreate(other.context, &style, &wanted.style, nullptr), FLG_OK);
+        Columns targets{arcs(40)};
+        wanted.target = targets.with(painted, 1, [](uint32_t i, uint32_t) { return 0.02 * (i % 60); }).create(other);
+        wanted.drives = drives;
+        wanted.drive_count = 3;
+        FlgCurveSet out{};
+        EXPECT_EQ(flgCurveSetStylize(other.context, &wanted, &out, nullptr), FLG_OK) << flgErrorGetMessage();
+        return out;
+    });
 }
 
 // ---- live ----
