@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Splines of R^d among obstacles (Hofer, Pottmann 2004, sec. 5): minimizers on barriers around them whose radius
 // shrinks.
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "core/failure.h"
 #include "splines/manifolds/coordinates.h"
+#include "splines/obstacles/clearance.h"
 #include "splines/obstacles/obstacle_path.h"
 #include "splines/obstacles/surface_barrier.h"
 #include "splines/spline.h"
@@ -16,8 +20,11 @@ namespace {
 constexpr uint32_t lift_work = 4;      // of Cost::microseconds: two a slice
 constexpr double first_radius = 0.05;  // of the scene's size
 constexpr double shrink = 0.35;        // of the radius, from one solve to the next
-constexpr uint32_t max_refinement = 16;
-constexpr double rough = 1e-2;  // the tolerance before the last one
+constexpr double rough = 1e-2;         // the tolerance before the last one
+// Nodes keep so much farther away than the curve has to, of the last radius, and a part of that is spare.
+constexpr double margin_share = 0.1, spare_share = 0.25;
+constexpr double allowance = 2e-7;  // of the scene's size: what rounding may do, and points that touch
+constexpr uint32_t max_halvings = 6, max_parts = 16, max_passes = 8;
 
 // The diameter of all that there is.
 double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
@@ -61,29 +68,6 @@ private:
     std::optional<SurfaceBarrier> surface_;
 };
 
-// The chain with d coordinates a node, on the barrier as it is now.
-Task<void> lift_chain(Pace& pace, const Barrier& barrier, const Buffer<double>& flat, const Buffer<double>& given,
-                      SplineProblem& problem) {
-    const uint32_t n = barrier.manifold().ambient(), d = n - 1;
-    const size_t nodes = flat.size() / d;
-    std::pmr::vector<double> hint(barrier.manifold().hint_size(), 0.0, pace.memory());
-    problem.points = Buffer<double>(nodes * n, pace.memory());
-    co_await each_by_work(pace, nodes, Cost::microseconds, [&](size_t i) {
-        std::fill(hint.begin(), hint.end(), 0.0);
-        barrier.lift(&flat[i * d], hint.data(), &problem.points[i * n]);
-        return lift_work;
-    });
-    problem.given = Buffer<double>(given.size() / d * n, pace.memory());
-    co_await each_by_work(pace, given.size() / d, Cost::microseconds, [&](size_t k) {
-        std::fill(hint.begin(), hint.end(), 0.0);
-        if (!barrier.lift(&given[k * d], hint.data(), &problem.given[k * n])) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "desc.points: point %zu is in an obstacle or nearer than the clearance", k);
-        }
-        return lift_work;
-    });
-}
-
 // In space around the obstacles, on a surface as if there were none.
 Task<void> find_beginning(Pace& pace, const SplineRequest& request, GivenPoints given, FirstCurve& first) {
     const ManifoldProduct& held = *request.out->manifold;
@@ -97,60 +81,184 @@ Task<void> find_beginning(Pace& pace, const SplineRequest& request, GivenPoints 
     for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
 }
 
-// Whether a piece of the chain goes through a solid from one side to the other: what is nearest to its ends is between
-// them.
-bool straddles(const ObstacleSet& set, const double* a, const double* b) {
-    const uint32_t d = set.dimension();
-    double to_a[Obstacle::max_dimension], to_b[Obstacle::max_dimension], heading_a = 0, heading_b = 0, opposed = 0;
-    const double length = distance_between(a, b, d), at_a = set.distance(a, nullptr, to_a),
-                 at_b = set.distance(b, nullptr, to_b);
-    for (uint32_t c = 0; c < d; ++c) {
-        heading_a += (b[c] - a[c]) * to_a[c];
-        heading_b += (a[c] - b[c]) * to_b[c];
-        opposed += to_a[c] * to_b[c];
+// A chain of nodes, d numbers each, without a barrier's height.
+struct Chain {
+    explicit Chain(Memory* memory) : points(memory), knots(memory), shares(memory) {}
+
+    std::pmr::vector<double> points;
+    std::pmr::vector<uint32_t> knots;   // the nodes of given points
+    std::pmr::vector<double> shares;    // of each interval, of its segment's parameters
+};
+
+// A segment of the first curve, by lengths.
+class Polyline {
+public:
+    Polyline(const FirstCurve& first, uint32_t segment, uint32_t dimension, Memory* memory)
+        : points_(first.points), begin_(segment == 0 ? 0 : first.ends[segment - 1] - 1), d_(dimension), lengths_(memory) {
+        double length = 0;
+        lengths_.push_back(0);
+        for (uint32_t p = begin_; p + 1 < first.ends[segment]; ++p) {
+            length += distance_between(&points_[size_t{p} * d_], &points_[size_t{p + 1} * d_], d_);
+            lengths_.push_back(length);
+        }
     }
-    return at_a + at_b < length && heading_a < 0 && heading_b < 0 && opposed < 0;
+    // share: of its length.
+    void place(double share, double* out) const {
+        const double target = share * lengths_.back();
+        const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, target);
+        const auto piece = static_cast<size_t>(after - lengths_.begin()) - 1;
+        const double step = *after - lengths_[piece], t = step > 0 ? std::clamp((target - lengths_[piece]) / step, 0.0, 1.0) : 0;
+        const double* const a = &points_[(begin_ + piece) * d_];
+        for (uint32_t c = 0; c < d_; ++c) out[c] = (1 - t) * a[c] + t * a[d_ + c];
+    }
+
+private:
+    const std::pmr::vector<double>& points_;
+    uint32_t begin_, d_;
+    std::pmr::vector<double> lengths_;
+};
+
+// So many intervals a segment as place_nodes() gave it, and more where their chords are not clear.
+Task<void> place_around(Pace& pace, const ObstacleSet& set, const FirstCurve& first, const SplineProblem& problem,
+                        double margin, Chain& out) {
+    const uint32_t d = set.dimension(), segments = static_cast<uint32_t>(first.ends.size()),
+                   nodes = static_cast<uint32_t>(problem.points.size() / d);
+    for (uint32_t s = 0; s < segments; ++s) {
+        const Polyline line(first, s, d, pace.memory());
+        const uint32_t intervals = (s + 1 < problem.knots.size() ? problem.knots[s + 1] : nodes) - problem.knots[s];
+        out.knots.push_back(static_cast<uint32_t>(out.points.size() / d));
+        for (uint32_t i = 0; i < intervals; ++i) {
+            // Halves of halves: `part` of 2^level.
+            for (uint32_t level = 0, part = 0;;) {
+                const double width = std::ldexp(1.0 / intervals, -static_cast<int>(level)),
+                             begin = static_cast<double>(i) / intervals + part * width;
+                Obstacle::Place a{}, b{};
+                line.place(begin, a.data());
+                line.place(begin + width, b.data());
+                const bool is_clear = level == max_halvings || set.clear(a.data(), b.data(), margin);
+                co_await pace;
+                if (!is_clear) {
+                    ++level;
+                    part *= 2;
+                    continue;
+                }
+                out.points.insert(out.points.end(), a.begin(), a.begin() + d);
+                out.shares.push_back(width);
+                for (++part; level > 0 && part % 2 == 0; part /= 2) --level;
+                if (level == 0) break;
+            }
+        }
+    }
+    if (problem.closed) co_return;
+    out.knots.push_back(static_cast<uint32_t>(out.points.size() / d));
+    out.points.insert(out.points.end(), first.points.end() - d, first.points.end());
 }
 
-Task<bool> any_straddles(Pace& pace, const ObstacleSet& set, const Buffer<double>& flat, bool closed) {
-    const uint32_t d = set.dimension();
-    const size_t nodes = flat.size() / d;
-    Slice slice(Cost::microseconds);
-    for (size_t i = 0; i + (closed ? 0 : 1) < nodes; ++i) {
-        if (straddles(set, &flat[i * d], &flat[(i + 1) % nodes * d])) co_return true;
-        if (slice.is_over(lift_work)) co_await pace;
+// Intervals that trespass get more nodes, the more the deeper they are, and so do their neighbours, so that nodes come
+// to stand before and behind what they pass. New nodes are on the chords.
+Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint32_t d, bool closed, double margin,
+                  Chain& chain) {
+    const auto nodes = static_cast<uint32_t>(chain.points.size() / d), intervals = closed ? nodes : nodes - 1;
+    std::pmr::vector<uint8_t> parts(intervals, 1, pace.memory());
+    for (const Trespass& trespass : trespasses) {
+        const double wanted = std::ceil(trespass.depth / margin);
+        const auto own = static_cast<uint8_t>(std::clamp(wanted, 2.0, double{max_parts}));
+        const uint8_t beside = own > 4 ? own / 4 : 1;
+        parts[trespass.interval] = std::max(parts[trespass.interval], own);
+        const uint32_t before = (trespass.interval + intervals - 1) % intervals, after = (trespass.interval + 1) % intervals;
+        parts[before] = std::max(parts[before], beside);
+        parts[after] = std::max(parts[after], beside);
     }
-    co_return false;
+    Chain finer(pace.memory());
+    size_t knot = 0;
+    co_await each(pace, nodes, Cost::tens_of_ns, [&](uint32_t i) {
+        if (knot < chain.knots.size() && chain.knots[knot] == i) {
+            finer.knots.push_back(static_cast<uint32_t>(finer.points.size() / d));
+            ++knot;
+        }
+        const double* const a = &chain.points[size_t{i} * d];
+        const double* const b = &chain.points[size_t{(i + 1) % nodes} * d];
+        const uint32_t count = i < intervals ? parts[i] : 1;
+        for (uint32_t part = 0; part < count; ++part) {
+            const double t = static_cast<double>(part) / count;
+            for (uint32_t c = 0; c < d; ++c) finer.points.push_back((1 - t) * a[c] + t * b[c]);
+            if (i < intervals) finer.shares.push_back(chain.shares[i] / count);
+        }
+    });
+    chain = std::move(finer);
 }
 
-// On barriers whose radius shrinks, from the problem's chain on; `flat` is where that has come to, without its height.
-Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProblem& problem, Buffer<double>& flat) {
-    Spline& out = *request.out;
-    const ManifoldProduct& held = *out.manifold;
-    const ObstacleSet& set = request.placed->set();
-    const uint32_t d = set.dimension();
-    const Buffer<double> points = std::move(problem.given);
-    const double size = scene_size(set, request.points), last = request.desc.obstacle_radius * size,
-                 tolerance = problem.tolerance;
-    double radius = std::min(std::max(first_radius * size, last), 0.9 * set.reach());
-    Barrier barrier(held, set, radius, size);
-    problem.manifold = &barrier.manifold();
-    bool is_last = false;
-    while (!is_last) {
-        is_last = radius <= last;
-        co_await lift_chain(pace, barrier, flat, points, problem);
-        problem.tolerance = is_last ? tolerance : rough;
-        SplineOptimizer optimizer(problem, pace.memory());
-        co_await run_optimizer(pace, optimizer, out);
-        co_await each(pace, optimizer.nodes(), Cost::some_ns, [&](uint32_t i) {
-            std::copy_n(optimizer.points() + size_t{i} * (d + 1), d, &flat[size_t{i} * d]);
-        });
-        if (is_last) co_await keep_spline(pace, optimizer, out);
-        radius = std::max(radius * shrink, last);
-        barrier.set_radius(radius);
+// The chain on the barrier, as it is now. Given points that are nearer than the nodes' margin stay where they are.
+Task<void> lift_chain(Pace& pace, const Barrier& barrier, const Chain& chain, SplineProblem& problem) {
+    const uint32_t n = barrier.manifold().ambient(), d = n - 1;
+    const size_t nodes = chain.points.size() / d;
+    std::pmr::vector<double> hint(barrier.manifold().hint_size(), 0.0, pace.memory());
+    problem.points = Buffer<double>(nodes * n, pace.memory());
+    co_await each_by_work(pace, nodes, Cost::microseconds, [&](size_t i) {
+        std::fill(hint.begin(), hint.end(), 0.0);
+        barrier.lift(&chain.points[i * d], hint.data(), &problem.points[i * n]);
+        return lift_work;
+    });
+    problem.knots = Buffer<uint32_t>(chain.knots.size(), pace.memory());
+    problem.given = Buffer<double>(chain.knots.size() * n, pace.memory());
+    problem.shares = Buffer<double>(chain.shares.size(), pace.memory());
+    co_await each(pace, chain.shares.size(), Cost::some_ns, [&](size_t i) { problem.shares[i] = chain.shares[i]; });
+    co_await each(pace, chain.knots.size(), Cost::some_ns, [&](size_t k) {
+        const size_t node = problem.knots[k] = chain.knots[k];
+        std::copy_n(&chain.points[node * d], d, &problem.points[node * n]);
+        std::copy_n(&problem.points[node * n], n, &problem.given[k * n]);
+    });
+}
+
+// The chain goes to where its energy is least on the barrier.
+Task<void> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& optimizer, Spline& out, Chain& chain) {
+    const uint32_t d = barrier.manifold().ambient() - 1;
+    co_await run_optimizer(pace, optimizer, out);
+    co_await each(pace, optimizer.nodes(), Cost::some_ns, [&](uint32_t i) {
+        std::copy_n(optimizer.points() + size_t{i} * (d + 1), d, &chain.points[size_t{i} * d]);
+    });
+}
+
+// Of the chain, and of the cubic spline through it if it bends.
+Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& optimizer, const SplineProblem& problem,
+                   const Chain& chain, std::span<const double> spare, double allowed, std::pmr::vector<Trespass>& out) {
+    const uint32_t d = set.dimension(), nodes = optimizer.nodes();
+    Moments moments(nodes, d, problem.closed, pace.memory());
+    co_await each(pace, moments.steps().size(), Cost::some_ns,
+                  [&](uint32_t i) { moments.steps()[i] = optimizer.step_after(i); });
+    Buffer<double> second(problem.bending > 0 ? size_t{nodes} * d : 0, pace.memory());
+    if (problem.bending > 0) {
+        co_await Moments::factorize(pace, moments);
+        co_await Moments::solve(pace, moments, chain.points.data(), second.data());
     }
-    problem.tolerance = tolerance;
-    problem.manifold = held.manifold.get();
+    const CurvePieces pieces{{chain.points.data(), chain.points.size()},
+                             moments.steps(),
+                             {second.data(), second.size()},
+                             spare,
+                             problem.closed};
+    co_await find_trespasses(pace, set, pieces, allowed, out);
+}
+
+// How much of the distance each interval's certificate leaves: less beside given points that are nearer than the nodes'
+// margin.
+void set_spare(const ObstacleSet& set, const Chain& chain, double margin, double least, bool closed,
+               std::pmr::vector<double>& out) {
+    const uint32_t d = set.dimension();
+    out.assign(chain.shares.size(), spare_share * margin);
+    for (const uint32_t node : chain.knots) {
+        if (set.distance(&chain.points[size_t{node} * d]) >= margin) continue;
+        if (node < out.size()) out[node] = least;
+        if (node > 0 || closed) out[(node + out.size() - 1) % out.size()] = least;
+    }
+}
+
+[[noreturn]] void refuse(const std::pmr::vector<Trespass>& trespasses, const Chain& chain, uint32_t d) {
+    const Trespass worst = *std::max_element(trespasses.begin(), trespasses.end(),
+                                             [](const Trespass& a, const Trespass& b) { return a.depth < b.depth; });
+    const double* const at = &chain.points[size_t{worst.interval} * d];
+    throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                  "the curve can't keep clear of obstacle %u near (%g, %g, %g): it is %g nearer than it may be there",
+                  worst.obstacle, at[0], at[1], d > 2 ? at[2] : 0, worst.depth);
 }
 
 }  // namespace
@@ -169,28 +277,51 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     co_await refuse_coincident(pace, placed, d, problem.closed, problem.manifold->size());
     const GivenPoints given{
         .values = {placed.data(), placed.size()}, .closed = problem.closed, .argument = "desc.points"};
+    const double size = scene_size(set, placed), last = request.desc.obstacle_radius * size,
+                 margin = std::min(margin_share * last, 0.01 * set.reach()), slack = allowance * size;
     FirstCurve first(pace.memory());
     co_await find_beginning(pace, request, given, first);
     const uint32_t segments = given.segments(d);
     const uint32_t nodes = request.desc.node_count > 0
                                ? request.desc.node_count
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
-    // Finer where pieces would go through what they are to keep out of.
+    co_await place_nodes(pace, *problem.manifold, first, given, nodes, 2, problem);
+    Chain chain(pace.memory());
+    co_await place_around(pace, set, first, problem, margin, chain);
+
     pace.stage("minimize");
-    for (uint32_t finer = 1;; finer *= 2) {
-        const bool may_refine = 2 * finer <= max_refinement && 2 * uint64_t{finer} * nodes <= FLG_SPLINE_MAX_NODES;
-        co_await place_nodes(pace, *problem.manifold, first, given, finer * nodes, 2, problem);
-        Buffer<double> flat = std::move(problem.points);
-        bool through = false;
-        if (may_refine && held.kind == ManifoldKind::space)
-            through = co_await any_straddles(pace, set, flat, problem.closed);
-        if (through) continue;
-        co_await minimize_among(pace, request, problem, flat);
-        through = co_await any_straddles(pace, set, flat, problem.closed);
-        if (through && may_refine) continue;
-        if (through) out.chain.report.ending = SplineEnding::stalled;
-        break;
+    const ObstacleSet wider = set.with_clearance(set.clearance() + margin, pace.memory());
+    double radius = std::min(std::max(first_radius * size, last), 0.9 * wider.reach());
+    Barrier barrier(held, wider, radius, size);
+    problem.manifold = &barrier.manifold();
+    const double tolerance = problem.tolerance;
+    problem.tolerance = rough;
+    for (; radius > last; radius = std::max(radius * shrink, last)) {
+        barrier.set_radius(radius);
+        co_await lift_chain(pace, barrier, chain, problem);
+        SplineOptimizer optimizer(problem, pace.memory());
+        co_await minimize_on(pace, barrier, optimizer, out, chain);
     }
+    barrier.set_radius(radius);
+    problem.tolerance = tolerance;
+    std::pmr::vector<Trespass> trespasses(pace.memory());
+    std::pmr::vector<double> spare(pace.memory());
+    for (uint32_t pass = 0;; ++pass) {
+        co_await lift_chain(pace, barrier, chain, problem);
+        SplineOptimizer optimizer(problem, pace.memory());
+        co_await minimize_on(pace, barrier, optimizer, out, chain);
+        set_spare(set, chain, margin, 0.5 * slack, problem.closed, spare);
+        trespasses.clear();
+        co_await examine(pace, set, optimizer, problem, chain, spare, slack, trespasses);
+        if (getenv("VV")) { double w=0; uint32_t wi=0; for (auto& t: trespasses) if (t.depth>w) w=t.depth, wi=t.interval; printf("  pass %u: %u nodes %u rounds ending %d, %zu trespasses, worst %g at %u\n", pass, optimizer.nodes(), optimizer.report().rounds, (int)optimizer.report().ending, trespasses.size(), w, wi); }
+        if (trespasses.empty()) {
+            co_await keep_spline(pace, optimizer, out);
+            break;
+        }
+        if (pass + 1 == max_passes || 2 * chain.points.size() / d > FLG_SPLINE_MAX_NODES) refuse(trespasses, chain, d);
+        co_await refine(pace, trespasses, d, problem.closed, margin, chain);
+    }
+    problem.manifold = held.manifold.get();
     out.knots = std::move(problem.knots);
     out.is_complete = true;
 }

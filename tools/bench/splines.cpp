@@ -150,6 +150,7 @@ std::vector<Row> run_splines() {
     append(spline_strokes());
 #if defined(FLG_WITH_REFERENCE)
     append(spline_methods());
+    append(spline_obstacles());
 #endif
     return rows;
 }

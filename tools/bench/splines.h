@@ -51,6 +51,7 @@ std::vector<Row> spline_growth();
 std::vector<Row> spline_strokes();
 #if defined(FLG_WITH_REFERENCE)
 std::vector<Row> spline_methods();
+std::vector<Row> spline_obstacles();
 #endif
 
 }  // namespace flg::bench

@@ -91,6 +91,11 @@ public:
 
     static constexpr uint32_t max_count = 256;
 
+    // The same obstacles.
+    ObstacleSet with_clearance(double clearance, Memory* memory) const {
+        return ObstacleSet(obstacles_, clearance, memory);
+    }
+
     uint32_t dimension() const { return dimension_; }
     uint32_t count() const { return static_cast<uint32_t>(obstacles_.size()); }
     double clearance() const { return clearance_; }

@@ -476,7 +476,7 @@ void SplineOptimizer::measure_length(uint32_t node) {
     report_.length += length;
 }
 
-// Steps between two given points are equal.
+// Steps between two given points are equal, or the problem's shares.
 void SplineOptimizer::set_step(uint32_t interval) {
     if (knot_of_[interval] != no_knot) {
         segment_ = knot_of_[interval];
@@ -485,7 +485,8 @@ void SplineOptimizer::set_step(uint32_t interval) {
                                : std::max(lengths_[segment_], 1e-9 * report_.length);
         span_ += spans_[segment_];
     }
-    moments_.steps()[interval] = spans_[segment_] / intervals_of(segment_);
+    moments_.steps()[interval] =
+        problem_.shares.empty() ? spans_[segment_] / intervals_of(segment_) : spans_[segment_] * problem_.shares[interval];
 }
 
 void SplineOptimizer::set_end(bool last, Curve& curve) {

@@ -108,6 +108,7 @@ struct SplineProblem {
     Buffer<uint32_t> knots;  // ascending: the nodes of given points; the first is 0, and an open curve's last the last
     Buffer<double> given;    // n numbers a knot, on the manifold
     Buffer<double> parameters;  // one a knot, in a closed curve one more; ascending. Empty: lengths
+    Buffer<double> shares;      // one an interval, of its segment's parameters; empty: those of a segment are equal
     // Open curves: whether the derivative is prescribed at the first, the last point.
     bool has_slope[2] = {false, false};
     double slopes[2][Manifold::max_ambient] = {};  // tangent to the manifold

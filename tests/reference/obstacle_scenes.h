@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Random scenes of solids for splines among obstacles, and how near a curve comes to the solids, by nothing but their
+// definitions: places along the curve, densely, and the exact distance from each solid.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace flg::reference {
+
+// A solid of the plane (z = 0) or of space.
+struct Solid {
+    enum class Kind : uint8_t { ball, box, capsule, polygon, mesh } kind = Kind::ball;
+    Vec3 centre;                                 // of balls and boxes; a capsule's end
+    Vec3 to;                                     // a capsule's other end
+    double half[3] = {};                         // a box's
+    Vec3 axes[3];                                // a box's, orthonormal
+    double radius = 0;                           // of balls and capsules
+    std::vector<double> polygon;                 // x and y of each vertex
+    std::vector<float> positions;                // of a closed mesh
+    std::vector<uint32_t> triangles;
+};
+
+// Signed, negative inside.
+double exact_distance(const Solid& solid, uint32_t dimension, const Vec3& place);
+
+enum class SceneKind : uint8_t { plane, space, meshes, sphere };
+
+struct ObstacleScene {
+    uint32_t dimension = 3;
+    double size = 5;       // metres
+    double clearance = 0;  // metres
+    std::vector<Solid> solids;
+    std::vector<double> points;  // `dimension` numbers each, clear of all solids by 1 % of the size at least
+};
+
+inline constexpr double sphere_radius = 2;  // metres, of the surface that scenes of SceneKind::sphere lie on
+
+// Scenes of about 5 metres: 3 to 14 solids and 2 to 5 points.
+ObstacleScene obstacle_scene(uint64_t seed, SceneKind kind);
+
+struct Approach {
+    double clearance;  // metres: the least distance less the scene's clearance
+    uint32_t node;     // in the interval after this node
+    uint32_t solid;
+};
+
+// Of the chain of nodes, and of the cubic spline through them: natural, or closed.
+Approach closest_approach(const ObstacleScene& scene, std::span<const double> nodes, std::span<const double> parameters,
+                          bool closed);
+
+}  // namespace flg::reference
