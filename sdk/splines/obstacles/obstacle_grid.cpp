@@ -103,29 +103,34 @@ ObstacleGrid::ObstacleGrid(const ObstacleSet& obstacles, std::span<const Obstacl
     }
 }
 
-void ObstacleGrid::flag_node(uint32_t node, Buffer<float>& away) {
+void ObstacleGrid::flag_node(uint32_t node) {
+    if ((flags_[node] & known) != 0) return;
     const Obstacle::Place x = grid_.place(node);
     const double d = obstacles_.distance(x.data());
-    away[node] = static_cast<float>(d);
-    flags_[node] = d >= margin_ ? 0 : SweepDistance::unused;
+    away_[node] = static_cast<float>(d);
+    flags_[node] = d >= margin_ ? known : known | SweepDistance::unused;
     for (const ObstacleSide& side : sides_) {
         // Thinner ones are taken for bars two cells wide.
         const double wider = std::max(grid_.spacing - obstacles_[side.obstacle].core_depth(), 0.0);
         if (!in_extension(side, x.data(), wider)) continue;
-        flags_[node] = SweepDistance::unused | extension;
+        flags_[node] = known | SweepDistance::unused | extension;
         return;
     }
 }
 
 // Edges whose ends are both farther than they are long are open. Returns what that cost, in microseconds about.
-uint32_t ObstacleGrid::close_edges(uint32_t node, const Buffer<float>& away) {
+uint32_t ObstacleGrid::close_edges(uint32_t node) {
+    if ((flags_[node] & has_edges) != 0) return 1;
     const std::array<uint32_t, 3> cell = grid_.cell(node);
+    for (uint32_t k = 0; k < grid_.dimension; ++k)
+        if (cell[k] + 1 != grid_.counts[k] && (flags_[node + grid_.stride(k)] & known) == 0) return 1;
+    flags_[node] |= has_edges;
     uint32_t cost = 1;
     for (uint32_t k = 0; k < grid_.dimension; ++k) {
         if (cell[k] + 1 == grid_.counts[k]) continue;
         const uint32_t next = node + grid_.stride(k);
         if (!free(node) || !free(next)) continue;
-        if (double(away[node]) + double(away[next]) > 1.001 * grid_.spacing) continue;
+        if (double(away_[node]) + double(away_[next]) > 1.001 * grid_.spacing) continue;
         const Obstacle::Place a = grid_.place(node), b = grid_.place(next);
         double done = 0;
         cost += 2;
@@ -181,6 +186,14 @@ uint32_t ObstacleGrid::behind(const double* x) const {
     return static_cast<uint32_t>(sides_.size());
 }
 
+Task<void> ObstacleGrid::look(Pace& pace, ObstacleGrid& of, SweepRange range) {
+    const SweepGrid& grid = of.grid_;
+    co_await each(pace, range.size(), Cost::microseconds,
+                  [&, range](uint32_t i) { of.flag_node(grid.node(range.cell(i))); });
+    co_await each_by_work(pace, range.size(), Cost::microseconds,
+                          [&, range](uint32_t i) { return of.close_edges(grid.node(range.cell(i))); });
+}
+
 Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
                                  std::span<const ObstacleSide> sides) {
     ObstacleGrid made(obstacles, sides, pace.memory());
@@ -201,10 +214,12 @@ Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::
     made.grid_ = grid_around(obstacles, points, gap);
     made.margin_ = margin_share * made.grid_.spacing;
     const uint32_t nodes = made.grid_.size();
-    Buffer<float> away(nodes, pace.memory());  // a node's distance
+    made.away_ = Buffer<float>(nodes, pace.memory());
     made.flags_ = Buffer<uint8_t>(nodes, pace.memory());
-    co_await each(pace, nodes, Cost::microseconds, [&](uint32_t node) { made.flag_node(node, away); });
-    co_await each_by_work(pace, nodes, Cost::microseconds, [&](uint32_t node) { return made.close_edges(node, away); });
+    co_await each(pace, nodes, Cost::some_ns, [&](uint32_t node) { made.flags_[node] = SweepDistance::unused; });
+    if (made.sides_.empty()) co_return made;
+    const SweepGrid& grid = made.grid_;
+    co_await ObstacleGrid::look(pace, made, {{}, {grid.counts[0] - 1, grid.counts[1] - 1, grid.counts[2] - 1}});
     co_return made;
 }
 

@@ -25,6 +25,10 @@ struct ObstacleSide {
 
 class ObstacleGrid {
 public:
+    // Nodes are looked at when they are needed: those of a range, before anything else is asked about them. Where there
+    // are sides obstacle_grid() has looked at all. About 1 us a node that is new.
+    static Task<void> look(Pace& pace, ObstacleGrid& of, SweepRange range);
+
     const SweepGrid& grid() const { return grid_; }
     const uint8_t* flags() const { return flags_.data(); }  // as for SweepDistance
     // So far from all obstacles are free nodes, a sixteenth of the spacing; and ways at least 0.
@@ -39,13 +43,14 @@ public:
     const ObstacleSide& side(uint32_t i) const { return sides_[i]; }
 
 private:
-    static constexpr uint8_t extension = 16;  // beside SweepDistance's flags
+    // Beside SweepDistance's flags. Of a node that was looked at; whose edges were, too.
+    static constexpr uint8_t extension = 16, known = 32, has_edges = 64;
 
     friend Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
                                             std::span<const ObstacleSide> sides);
     ObstacleGrid(const ObstacleSet& obstacles, std::span<const ObstacleSide> sides, Memory* memory);
-    void flag_node(uint32_t node, Buffer<float>& away);
-    uint32_t close_edges(uint32_t node, const Buffer<float>& away);
+    void flag_node(uint32_t node);
+    uint32_t close_edges(uint32_t node);
     bool in_extension(const ObstacleSide& side, const double* x, double margin) const;
 
     const ObstacleSet& obstacles_;
@@ -53,11 +58,12 @@ private:
     double margin_ = 0;
     SweepGrid grid_;
     Buffer<uint8_t> flags_;
+    Buffer<float> away_;  // a node's distance, where it is known
 };
 
 // points: d numbers each; the grid's box has them and all obstacles, with a tenth of its size around. Obstacles outlive
 // the grid. Throws a Failure: sides of obstacles that there are not, or that have no outside, directions without
-// length. About 1 us a node, more where a side's extension is grazed.
+// length. About 1 ns a node; with sides 1 us, and more where a side's extension is grazed.
 Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
                                  std::span<const ObstacleSide> sides);
 

@@ -21,6 +21,7 @@ constexpr uint32_t look_steps = 64;  // of a look, between two pauses
 constexpr uint32_t tighten_rounds = 16, tries = 6;
 constexpr double min_move = 1e-2;     // of the spacing: rounds end when no vertex moves more
 constexpr uint32_t hop_steps = 1024;  // of a way to a neighbour
+constexpr double first_length = 1.06, longer = 1.12;  // of ways that are looked for
 
 double distance(const Obstacle::Place& a, const Obstacle::Place& b) {
     return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
@@ -157,32 +158,62 @@ uint32_t next_down(const Scene& scene, const ObstacleGrid& all, const SweepDista
     return next;
 }
 
-// From one place to another by the nodes in between: back down the distance from the first one.
-Task<void> find_trail(Pace& pace, const Scene& scene, const ObstacleGrid& grid, SweepDistance& distances, uint32_t leg,
-                      Place from, Place to, Places& trail) {
-    Seeds seeds(pace.memory()), arrivals(pace.memory());
-    co_await join(pace, scene, grid, from, true, seeds);
-    if (seeds.empty()) co_await join(pace, scene, grid, from, false, seeds);
-    if (seeds.empty()) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no way leads from point %u on a grid with a spacing of %g", leg,
-                      grid.grid().spacing);
+// All nodes on ways from a to b that are no longer than `length`, and those around a and b: the box of an ellipsoid.
+SweepRange around_ways(const SweepGrid& grid, const Place& a, const Place& b, double length) {
+    const double apart = distance(a, b), across = 0.5 * std::sqrt(std::max(length * length - apart * apart, 0.0));
+    SweepRange range;
+    for (uint32_t k = 0; k < grid.dimension; ++k) {
+        const double u = apart > 0 ? (b[k] - a[k]) / apart : 0, middle = 0.5 * (a[k] + b[k]);
+        const double half = std::sqrt(0.25 * length * length * u * u + across * across * (1 - std::min(u * u, 1.0)));
+        const double low = (middle - half - grid.origin[k]) / grid.spacing - near_cells - 1,
+                     high = (middle + half - grid.origin[k]) / grid.spacing + near_cells + 1, last = grid.counts[k] - 1;
+        range.lower[k] = static_cast<uint32_t>(std::clamp(std::floor(low), 0.0, last));
+        range.upper[k] = static_cast<uint32_t>(std::clamp(std::ceil(high), 0.0, last));
     }
-    co_await SweepDistance::solve(pace, distances, seeds);
-    uint32_t best = 0;
-    double least = infinite;
-    for (uint32_t attempt = 0; attempt < 2 && least == infinite; ++attempt) {
+    return range;
+}
+
+// The distance from the seeds, and the node and length of the shortest way to `to`; infinite if none leads there.
+Task<SweepDistance::Seed> shortest_way(Pace& pace, const Scene& scene, ObstacleGrid& grid, SweepDistance& distances,
+                                       SweepRange range, Place to, const Seeds& seeds) {
+    co_await SweepDistance::solve(pace, distances, range, seeds);
+    Seeds arrivals(pace.memory());
+    SweepDistance::Seed best{0, infinite};
+    for (uint32_t attempt = 0; attempt < 2 && best.value == infinite; ++attempt) {
         co_await join(pace, scene, grid, to, attempt == 0, arrivals);
         for (const SweepDistance::Seed& arrival : arrivals) {
             const double through = distances[arrival.node] + arrival.value;
-            if (through < least) least = through, best = arrival.node;
+            if (through < best.value) best = {arrival.node, through};
         }
     }
-    if (least == infinite) {
+    co_return best;
+}
+
+// From one place to another by the nodes in between: back down the distance from the first one. Ways are looked for
+// farther and farther around, until none outside can be shorter.
+Task<void> find_trail(Pace& pace, const Scene& scene, ObstacleGrid& grid, SweepDistance& distances, uint32_t leg,
+                      Place from, Place to, Places& trail) {
+    Seeds seeds(pace.memory());
+    SweepDistance::Seed found{0, infinite};
+    for (double length = first_length * distance(from, to); found.value == infinite; length *= longer) {
+        const SweepRange range = around_ways(grid.grid(), from, to, length);
+        co_await ObstacleGrid::look(pace, grid, range);
+        co_await join(pace, scene, grid, from, true, seeds);
+        if (seeds.empty()) co_await join(pace, scene, grid, from, false, seeds);
+        if (seeds.empty()) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no way leads from point %u on a grid with a spacing of %g", leg,
+                          grid.grid().spacing);
+        }
+        found = co_await shortest_way(pace, scene, grid, distances, range, to, seeds);
+        const bool is_whole = range.size() == grid.grid().size();
+        if (found.value > length && !is_whole) found.value = infinite;
+        if (found.value < infinite || !is_whole) continue;
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "no way leads from point %u to point %u around the obstacles%s, on a grid with a spacing of %g",
                       leg, (leg + 1) % scene.count, grid.side_count() > 0 ? " on the sides they are to be passed" : "",
                       grid.grid().spacing);
     }
+    uint32_t best = found.node;
     trail.assign(1, to);
     trail.push_back(grid.grid().place(best));
     const auto is_seed = [&](uint32_t node) {
@@ -264,7 +295,7 @@ Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::
     if (count < 2) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a path has %u points, it must have 2 at least", count);
     const Scene scene{obstacles, points, d, count};
     co_await each(pace, count, Cost::microseconds, [&](uint32_t i) { scene.check_point(i); });
-    const ObstacleGrid grid = co_await obstacle_grid(pace, obstacles, points, sides);
+    ObstacleGrid grid = co_await obstacle_grid(pace, obstacles, points, sides);
     SweepDistance distances(grid.grid(), grid.flags(), pace.memory());
     ObstaclePath path(pace.memory());
     path.spacing = grid.grid().spacing;

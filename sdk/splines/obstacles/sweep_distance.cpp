@@ -23,7 +23,7 @@ std::array<uint32_t, 3> SweepGrid::nearest(const double* x) const {
     return at;
 }
 
-Task<void> SweepDistance::solve(Pace& pace, SweepDistance& of, std::span<const Seed> seeds) {
+Task<void> SweepDistance::solve(Pace& pace, SweepDistance& of, SweepRange range, std::span<const Seed> seeds) {
     double* const values = of.values_.data();
     const SweepGrid& grid = of.grid_;
     co_await each(pace, grid.size(), Cost::some_ns, [values](uint32_t node) { values[node] = infinite; });
@@ -36,8 +36,8 @@ Task<void> SweepDistance::solve(Pace& pace, SweepDistance& of, std::span<const S
     for (uint32_t order = 0, idle = 0; idle < orders; order = (order + 1) % orders) {
         bool changed = false;
         std::array<uint32_t, 3> cell;
-        for (uint32_t k = 0; k < 3; ++k) cell[k] = (order >> k & 1) != 0 ? grid.counts[k] - 1 : 0;
-        co_await each(pace, grid.size(), Cost::tens_of_ns, [&, values, order, change](uint32_t) {
+        for (uint32_t k = 0; k < 3; ++k) cell[k] = (order >> k & 1) != 0 ? range.upper[k] : range.lower[k];
+        co_await each(pace, range.size(), Cost::tens_of_ns, [&, values, order, change](uint32_t) {
             const uint32_t node = grid.node(cell);
             if ((of.flags_[node] & unused) == 0) {
                 const double value = of.updated(node, cell[0], cell[1], cell[2]);
@@ -48,11 +48,11 @@ Task<void> SweepDistance::solve(Pace& pace, SweepDistance& of, std::span<const S
             }
             for (uint32_t axis = 0; axis < 3; ++axis) {
                 const bool back = (order >> axis & 1) != 0;
-                if (cell[axis] != (back ? 0 : grid.counts[axis] - 1)) {
+                if (cell[axis] != (back ? range.lower[axis] : range.upper[axis])) {
                     cell[axis] += back ? -1u : 1u;
                     break;
                 }
-                cell[axis] = back ? grid.counts[axis] - 1 : 0;
+                cell[axis] = back ? range.upper[axis] : range.lower[axis];
             }
         });
         idle = changed ? 0 : idle + 1;

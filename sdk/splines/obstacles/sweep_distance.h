@@ -39,6 +39,20 @@ struct SweepGrid {
     std::array<uint32_t, 3> nearest(const double* x) const;
 };
 
+// The nodes of a box, both ends included.
+struct SweepRange {
+    std::array<uint32_t, 3> lower{}, upper{};
+
+    uint32_t size() const {
+        return (upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) * (upper[2] - lower[2] + 1);
+    }
+    // Number i of them, x fastest.
+    std::array<uint32_t, 3> cell(uint32_t i) const {
+        const uint32_t x = upper[0] - lower[0] + 1, y = upper[1] - lower[1] + 1;
+        return {lower[0] + i % x, lower[1] + i / x % y, lower[2] + i / x / y};
+    }
+};
+
 class SweepDistance {
 public:
     // Of a node: the edge to the next node along axis k is closed; the node is not used.
@@ -54,9 +68,9 @@ public:
     SweepDistance(const SweepGrid& grid, const uint8_t* flags, Memory* memory)
         : grid_(grid), flags_(flags), values_(grid.size(), memory) {}
 
-    // From these nodes, anew. About 13 ns a node and sweep in the plane, 19 in space. In free space two rounds of 2^d
+    // From these nodes, which are in the range, anew; on ways within the range. About 13 ns a node and sweep in the plane, 19 in space. In free space two rounds of 2^d
     // sweeps, with obstacles a round more for each time that a shortest way turns.
-    static Task<void> solve(Pace& pace, SweepDistance& of, std::span<const Seed> seeds);
+    static Task<void> solve(Pace& pace, SweepDistance& of, SweepRange range, std::span<const Seed> seeds);
     // After that; infinite where nothing leads.
     double operator[](uint32_t node) const { return values_[node]; }
 
