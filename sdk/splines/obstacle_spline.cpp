@@ -24,6 +24,7 @@ constexpr double rough = 1e-2;         // the tolerance before the last one
 // Nodes keep so much farther away than the curve has to, of the last radius, and a part of that is spare.
 constexpr double margin_share = 0.1, spare_share = 0.25;
 constexpr double allowance = 2e-7;  // of the scene's size: what rounding may do, and points that touch
+constexpr double least_way = 0.01;  // of the margin: chords of the first chain are clear by
 constexpr uint32_t max_halvings = 6, max_parts = 16, max_passes = 8;
 
 // The diameter of all that there is.
@@ -69,14 +70,15 @@ private:
 };
 
 // In space around the obstacles, on a surface as if there were none.
-Task<void> find_beginning(Pace& pace, const SplineRequest& request, GivenPoints given, FirstCurve& first) {
+Task<void> find_beginning(Pace& pace, const SplineRequest& request, const ObstacleSet& wider, double margin,
+                          GivenPoints given, FirstCurve& first) {
     const ManifoldProduct& held = *request.out->manifold;
     if (held.kind != ManifoldKind::space) {
         co_await find_first_curve(pace, held, given, first);
         co_return;
     }
     const std::span<const ObstacleSide> sides(request.sides.data(), request.sides.size());
-    ObstaclePath path = co_await obstacle_path(pace, request.placed->set(), given.values, given.closed, sides);
+    ObstaclePath path = co_await obstacle_path(pace, wider, given.values, given.closed, sides, margin);
     first.points = std::move(path.points);
     for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
 }
@@ -279,18 +281,18 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
         .values = {placed.data(), placed.size()}, .closed = problem.closed, .argument = "desc.points"};
     const double size = scene_size(set, placed), last = request.desc.obstacle_radius * size,
                  margin = std::min(margin_share * last, 0.01 * set.reach()), slack = allowance * size;
+    const ObstacleSet wider = set.with_clearance(set.clearance() + margin, pace.memory());
     FirstCurve first(pace.memory());
-    co_await find_beginning(pace, request, given, first);
+    co_await find_beginning(pace, request, wider, margin, given, first);
     const uint32_t segments = given.segments(d);
     const uint32_t nodes = request.desc.node_count > 0
                                ? request.desc.node_count
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
     co_await place_nodes(pace, *problem.manifold, first, given, nodes, 2, problem);
     Chain chain(pace.memory());
-    co_await place_around(pace, set, first, problem, margin, chain);
+    co_await place_around(pace, wider, first, problem, least_way * margin, chain);
 
     pace.stage("minimize");
-    const ObstacleSet wider = set.with_clearance(set.clearance() + margin, pace.memory());
     double radius = std::min(std::max(first_radius * size, last), 0.9 * wider.reach());
     Barrier barrier(held, wider, radius, size);
     problem.manifold = &barrier.manifold();
@@ -301,6 +303,7 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
         co_await lift_chain(pace, barrier, chain, problem);
         SplineOptimizer optimizer(problem, pace.memory());
         co_await minimize_on(pace, barrier, optimizer, out, chain);
+        if (getenv("VV")) { double w=1e9; uint32_t wi=0; for (uint32_t i=0;i<optimizer.nodes();++i) { double q=set.distance(&chain.points[i*d]); if (q<w) w=q, wi=i; } printf("  radius %g: %u nodes %u rounds ending %d residual %g; least node %g at %u\n", radius, optimizer.nodes(), optimizer.report().rounds, (int)optimizer.report().ending, optimizer.report().residual, w, wi); }
     }
     barrier.set_radius(radius);
     problem.tolerance = tolerance;

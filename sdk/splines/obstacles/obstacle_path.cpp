@@ -44,9 +44,9 @@ struct Scene {
         }
         uint32_t which = 0;
         const double away = obstacles.distance(x.data(), &which);
-        if (away >= -tolerance * size) return;
+        if (away + slack >= -tolerance * size) return;
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "point %u is %g inside of obstacle %u, or nearer than the clearance",
-                      i, -away, which);
+                      i, -away - slack, which);
     }
 
     void check_side(uint32_t i, const ObstacleGrid& grid) const {
@@ -71,6 +71,7 @@ struct Scene {
 
     const ObstacleSet& obstacles;
     std::span<const double> points;
+    double slack;
     uint32_t d, count;
 };
 
@@ -290,10 +291,10 @@ Task<void> tighten(Pace& pace, const Scene& scene, const ObstacleGrid& grid, Pla
 }  // namespace
 
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,
-                                 std::span<const ObstacleSide> sides) {
+                                 std::span<const ObstacleSide> sides, double slack) {
     const uint32_t d = obstacles.dimension(), count = static_cast<uint32_t>(points.size() / d);
     if (count < 2) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a path has %u points, it must have 2 at least", count);
-    const Scene scene{obstacles, points, d, count};
+    const Scene scene{obstacles, points, slack, d, count};
     co_await each(pace, count, Cost::microseconds, [&](uint32_t i) { scene.check_point(i); });
     ObstacleGrid grid = co_await obstacle_grid(pace, obstacles, points, sides);
     SweepDistance distances(grid.grid(), grid.flags(), pace.memory());
