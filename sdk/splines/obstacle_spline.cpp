@@ -3,14 +3,13 @@
 // shrinks.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "core/failure.h"
 #include "splines/manifolds/coordinates.h"
 #include "splines/obstacles/clearance.h"
 #include "splines/obstacles/obstacle_path.h"
 #include "splines/obstacles/surface_barrier.h"
+#include "splines/obstacles/surface_way.h"
 #include "splines/spline.h"
 
 namespace flg {
@@ -69,12 +68,22 @@ private:
     std::optional<SurfaceBarrier> surface_;
 };
 
-// In space around the obstacles, on a surface as if there were none.
+// Around the obstacles.
 Task<void> find_beginning(Pace& pace, const SplineRequest& request, const ObstacleSet& wider, double margin,
                           GivenPoints given, FirstCurve& first) {
     const ManifoldProduct& held = *request.out->manifold;
     if (held.kind != ManifoldKind::space) {
+        for (uint32_t i = 0; i < given.count(3); ++i) {
+            uint32_t which = 0;
+            const double away = request.placed->set().distance(&given.values[size_t{3} * i], &which);
+            if (away >= -allowance * held.manifold->size()) continue;
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.points: point %u is %g inside of obstacle %u, or nearer than the clearance", i, -away,
+                          which);
+        }
         co_await find_first_curve(pace, held, given, first);
+        co_await lead_around(pace, static_cast<const Hypersurface&>(*held.manifold), wider, least_way * margin, given,
+                             first);
         co_return;
     }
     const std::span<const ObstacleSide> sides(request.sides.data(), request.sides.size());
@@ -303,7 +312,6 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
         co_await lift_chain(pace, barrier, chain, problem);
         SplineOptimizer optimizer(problem, pace.memory());
         co_await minimize_on(pace, barrier, optimizer, out, chain);
-        if (getenv("VV")) { double w=1e9; uint32_t wi=0; for (uint32_t i=0;i<optimizer.nodes();++i) { double q=set.distance(&chain.points[i*d]); if (q<w) w=q, wi=i; } printf("  radius %g: %u nodes %u rounds ending %d residual %g; least node %g at %u\n", radius, optimizer.nodes(), optimizer.report().rounds, (int)optimizer.report().ending, optimizer.report().residual, w, wi); }
     }
     barrier.set_radius(radius);
     problem.tolerance = tolerance;
@@ -316,7 +324,6 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
         set_spare(set, chain, margin, 0.5 * slack, problem.closed, spare);
         trespasses.clear();
         co_await examine(pace, set, optimizer, problem, chain, spare, slack, trespasses);
-        if (getenv("VV")) { double w=0; uint32_t wi=0; for (auto& t: trespasses) if (t.depth>w) w=t.depth, wi=t.interval; printf("  pass %u: %u nodes %u rounds ending %d, %zu trespasses, worst %g at %u\n", pass, optimizer.nodes(), optimizer.report().rounds, (int)optimizer.report().ending, trespasses.size(), w, wi); }
         if (trespasses.empty()) {
             co_await keep_spline(pace, optimizer, out);
             break;

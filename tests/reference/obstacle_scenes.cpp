@@ -93,7 +93,7 @@ void add_star_polygon(Draws& draw, Solid& solid, const Vec3& centre) {
 // A ball with waves, seen from its middle everywhere.
 void add_star_mesh(Draws& draw, Solid& solid, const Vec3& centre) {
     constexpr uint32_t around = 24, rings = 12;
-    const double radius = draw(0.3, 0.7), waves = draw(0, 0.35), turn = draw(0, 6), stretch = draw(0.5, 1.5);
+    const double radius = draw(0.5, 1.2), waves = draw(0, 0.35), turn = draw(0, 6), stretch = draw(0.5, 1.5);
     const auto add = [&](double up, double angle) {
         const double r = radius * (1 + waves * std::sin(3 * angle + turn) * std::cos(up) * std::cos(up));
         const Vec3 at = centre + r * Vec3(std::cos(up) * std::cos(angle), std::cos(up) * std::sin(angle),
@@ -120,13 +120,14 @@ Solid random_solid(Draws& draw, SceneKind kind, const Vec3& centre) {
     const uint32_t dimension = kind == SceneKind::plane ? 2 : 3;
     Solid solid;
     solid.centre = centre;
-    solid.radius = draw(0.15, 0.6);
+    const double grow = kind == SceneKind::space ? 1.6 : 1;
+    solid.radius = grow * draw(0.15, 0.6);
     using Kind = Solid::Kind;
     const Kind last = kind == SceneKind::plane ? Kind::polygon : Kind::capsule;
     solid.kind = kind == SceneKind::meshes ? Kind::mesh : static_cast<Kind>(draw.below(static_cast<uint32_t>(last) + 1));
     solid.to = centre + draw(0.1, 1) * draw.direction(dimension);
     if (solid.kind == Kind::capsule) solid.radius *= 0.5;
-    for (double& half : solid.half) half = draw(0.1, 0.6);
+    for (double& half : solid.half) half = grow * draw(0.1, 0.6);
     const Vec3 first = draw.direction(dimension);
     const Vec3 second = dimension == 2 ? Vec3(-first.y(), first.x(), 0) : first.cross(draw.direction(3)).normalized();
     solid.axes[0] = first;
@@ -157,6 +158,23 @@ Eigen::MatrixXd moments(std::span<const double> nodes, std::span<const double> p
 }
 
 }  // namespace
+
+FlgObstacle described(const Solid& solid, uint32_t dimension) {
+    FlgObstacle out = flgObstacleDefaults();
+    constexpr FlgObstacleKind kinds[] = {FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_BOX, FLG_OBSTACLE_KIND_CAPSULE,
+                                         FLG_OBSTACLE_KIND_POLYGON, FLG_OBSTACLE_KIND_MESH};
+    out.kind = kinds[static_cast<uint32_t>(solid.kind)];
+    out.radius = solid.radius;
+    out.points = solid.polygon.data();
+    out.point_count = static_cast<uint32_t>(solid.polygon.size() / 2);
+    for (uint32_t c = 0; c < 3; ++c) {
+        out.centre[c] = solid.centre[c];
+        out.to[c] = solid.to[c];
+        out.half[c] = solid.half[c];
+        for (uint32_t i = 0; i < dimension && c < dimension; ++i) out.axes[i * 3 + c] = solid.axes[i][c];
+    }
+    return out;
+}
 
 double exact_distance(const Solid& solid, uint32_t dimension, const Vec3& place) {
     switch (solid.kind) {

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <span>
 #include <vector>
 
 #include "core/vec.h"
+#include "filigree/filigree_spline.h"
 
 namespace flg::reference {
 
@@ -24,6 +24,9 @@ struct Solid {
     std::vector<float> positions;                // of a closed mesh
     std::vector<uint32_t> triangles;
 };
+
+// For the ABI; of a mesh all but its surface. Points into the solid.
+FlgObstacle described(const Solid& solid, uint32_t dimension);
 
 // Signed, negative inside.
 double exact_distance(const Solid& solid, uint32_t dimension, const Vec3& place);

@@ -24,7 +24,7 @@ std::vector<double> solved(const SweepGrid& grid, const std::vector<uint8_t>& fl
                            const std::vector<SweepDistance::Seed>& seeds, bool haltingly = false) {
     SweepDistance sweep(grid, flags.data(), heap());
     run_now(
-        heap(), [&](Pace& pace) { return SweepDistance::solve(pace, sweep, seeds); }, haltingly);
+        heap(), [&](Pace& pace) { return SweepDistance::solve(pace, sweep, grid.whole(), seeds); }, haltingly);
     std::vector<double> values(grid.size());
     for (uint32_t i = 0; i < grid.size(); ++i) values[i] = sweep[i];
     return values;

@@ -18,26 +18,13 @@ using reference::Solid;
 constexpr double kMedianMs = 40, kWorstMs = 500;
 constexpr double kPenetration = 1e-6;  // of the scene's size
 
-FlgObstacle described(Host& host, const ObstacleScene& scene, const Solid& solid) {
-    FlgObstacle out = flgObstacleDefaults();
-    const uint32_t d = scene.dimension;
-    constexpr FlgObstacleKind kinds[] = {FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_BOX, FLG_OBSTACLE_KIND_CAPSULE,
-                                         FLG_OBSTACLE_KIND_POLYGON, FLG_OBSTACLE_KIND_MESH};
-    out.kind = kinds[static_cast<uint32_t>(solid.kind)];
-    out.radius = solid.radius;
-    out.points = solid.polygon.data();
-    out.point_count = static_cast<uint32_t>(solid.polygon.size() / 2);
-    for (uint32_t c = 0; c < 3; ++c) {
-        out.centre[c] = solid.centre[c];
-        out.to[c] = solid.to[c];
-        out.half[c] = solid.half[c];
-        for (uint32_t i = 0; i < d && c < d; ++i) out.axes[i * 3 + c] = solid.axes[i][c];
-    }
-    if (solid.kind != Solid::Kind::mesh) return out;
-    MeshArrays mesh{.positions = solid.positions, .triangles = solid.triangles};
-    FlgSurfaceDesc desc = flgSurfaceDefaults();
+FlgObstacle obstacle(Host& host, const ObstacleScene& scene, const Solid& solid) {
+    FlgObstacle out = reference::described(solid, scene.dimension);
+    if (out.kind != FLG_OBSTACLE_KIND_MESH) return out;
+    const MeshArrays mesh{.positions = solid.positions, .triangles = solid.triangles};
     FlgColumn column{};
     const FlgMeshView view = mesh.view(column);
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
     desc.mesh = &view;
     check(flgSurfaceCreate(host.context(), &desc, &out.surface, nullptr));
     return out;
@@ -52,7 +39,7 @@ struct Outcome {
 Outcome run_scene(const ObstacleScene& scene, SceneKind kind, uint64_t seed) {
     Host host;
     std::vector<FlgObstacle> solids;
-    for (const Solid& solid : scene.solids) solids.push_back(described(host, scene, solid));
+    for (const Solid& solid : scene.solids) solids.push_back(obstacle(host, scene, solid));
     FlgObstaclesDesc obstacles = flgObstaclesDefaults();
     obstacles.dimension = scene.dimension;
     obstacles.obstacles = solids.data();

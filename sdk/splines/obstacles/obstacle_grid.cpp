@@ -218,8 +218,7 @@ Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::
     made.flags_ = Buffer<uint8_t>(nodes, pace.memory());
     co_await each(pace, nodes, Cost::some_ns, [&](uint32_t node) { made.flags_[node] = SweepDistance::unused; });
     if (made.sides_.empty()) co_return made;
-    const SweepGrid& grid = made.grid_;
-    co_await ObstacleGrid::look(pace, made, {{}, {grid.counts[0] - 1, grid.counts[1] - 1, grid.counts[2] - 1}});
+    co_await ObstacleGrid::look(pace, made, made.grid_.whole());
     co_return made;
 }
 

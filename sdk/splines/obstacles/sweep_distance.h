@@ -14,6 +14,20 @@
 
 namespace flg {
 
+// The nodes of a box, both ends included.
+struct SweepRange {
+    std::array<uint32_t, 3> lower{}, upper{};
+
+    uint32_t size() const {
+        return (upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) * (upper[2] - lower[2] + 1);
+    }
+    // Number i of them, x fastest.
+    std::array<uint32_t, 3> cell(uint32_t i) const {
+        const uint32_t x = upper[0] - lower[0] + 1, y = upper[1] - lower[1] + 1;
+        return {lower[0] + i % x, lower[1] + i / x % y, lower[2] + i / x / y};
+    }
+};
+
 // Nodes in a box of the plane or of space, x fastest.
 struct SweepGrid {
     uint32_t dimension = 2;
@@ -35,22 +49,9 @@ struct SweepGrid {
         for (uint32_t k = 0; k < dimension; ++k) x[k] = origin[k] + spacing * at[k];
         return x;
     }
+    SweepRange whole() const { return {{}, {counts[0] - 1, counts[1] - 1, counts[2] - 1}}; }
     // The node that is nearest.
     std::array<uint32_t, 3> nearest(const double* x) const;
-};
-
-// The nodes of a box, both ends included.
-struct SweepRange {
-    std::array<uint32_t, 3> lower{}, upper{};
-
-    uint32_t size() const {
-        return (upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) * (upper[2] - lower[2] + 1);
-    }
-    // Number i of them, x fastest.
-    std::array<uint32_t, 3> cell(uint32_t i) const {
-        const uint32_t x = upper[0] - lower[0] + 1, y = upper[1] - lower[1] + 1;
-        return {lower[0] + i % x, lower[1] + i / x % y, lower[2] + i / x / y};
-    }
 };
 
 class SweepDistance {

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "splines/obstacles/surface_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <unordered_map>
+
+#include "core/failure.h"
+#include "core/vec.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t first_cells = 32, grids = 3;  // along the surface's size; how often cells are halved
+constexpr double near_middle = 0.87;             // of a cell: so far from its middle the surface may pass
+constexpr double max_hop = 3;                    // cells, between points of neighbours
+constexpr uint32_t max_cells = 200'000;          // that a search looks at
+constexpr uint32_t project_work = 4, look_work = 2;  // of Cost::microseconds
+
+using Cell = std::array<int32_t, 3>;
+
+struct CellHash {
+    size_t operator()(const Cell& c) const {
+        return static_cast<size_t>(uint32_t(c[0]) * 73856093u ^ uint32_t(c[1]) * 19349663u ^ uint32_t(c[2]) * 83492791u);
+    }
+};
+
+// The surface's point of a cell.
+struct Place {
+    Vec3 at, normal;
+    Cell cell;
+    double passed;  // metres, from the beginning
+    uint32_t from;
+    bool is_done;
+};
+
+class Ground {
+public:
+    Ground(const Hypersurface& surface, const ObstacleSet& obstacles, double margin, Memory* memory)
+        : surface_(surface), obstacles_(obstacles), margin_(margin), hint_(surface.hint_size(), 0.0, memory) {}
+
+    bool project(Vec3& at, Vec3& normal) {
+        std::fill(hint_.begin(), hint_.end(), 0.0);
+        double value = 0;
+        if (!surface_.project(at.data(), hint_.data())) return false;
+        if (!surface_.evaluate(at.data(), hint_.data(), &value, normal.data(), nullptr)) return false;
+        normal.normalize();
+        return true;
+    }
+    // Of a chord from a given point that is nearer to an obstacle than that, the other half.
+    bool is_clear(const Vec3& a, const Vec3& b) const {
+        const Vec3 middle = 0.5 * (a + b);
+        const Vec3 begin = obstacles_.distance(a.data()) < margin_ ? middle : a,
+                   end = obstacles_.distance(b.data()) < margin_ ? middle : b;
+        return obstacles_.clear(begin.data(), end.data(), margin_);
+    }
+
+private:
+    const Hypersurface& surface_;
+    const ObstacleSet& obstacles_;
+    double margin_;
+    std::pmr::vector<double> hint_;
+};
+
+struct Goal {
+    double estimate;
+    uint32_t place;
+    bool operator<(const Goal& other) const {
+        return estimate != other.estimate ? estimate > other.estimate : place > other.place;
+    }
+};
+
+// From a to b over cells of this size: all places in between, or none.
+Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, double cell) {
+    std::pmr::vector<Place> places(pace.memory());
+    std::pmr::unordered_map<Cell, uint32_t, CellHash> of_cell(pace.memory());
+    std::priority_queue<Goal, std::pmr::vector<Goal>> open{std::less<Goal>(), std::pmr::vector<Goal>(pace.memory())};
+    std::pmr::vector<Vec3> way(pace.memory());
+    const auto cell_of = [&](const Vec3& at) {
+        Cell c;
+        for (uint32_t k = 0; k < 3; ++k) c[k] = static_cast<int32_t>(std::floor((at[k] - a[k]) / cell + 0.5));
+        return c;
+    };
+    Vec3 normal, target_normal, target = b;
+    Vec3 start = a;
+    if (!ground.project(start, normal) || !ground.project(target, target_normal)) co_return way;
+    places.push_back({a, normal, cell_of(a), 0, UINT32_MAX, false});
+    of_cell.emplace(places[0].cell, 0);
+    open.push({(b - a).norm(), 0});
+    Slice slice(Cost::microseconds);
+    while (!open.empty() && places.size() < max_cells) {
+        const uint32_t here = open.top().place;
+        open.pop();
+        if (places[here].is_done) continue;
+        places[here].is_done = true;
+        const Place at = places[here];
+        const bool reaches = (b - at.at).norm() <= max_hop * cell && at.normal.dot(target_normal) > 0 &&
+                             ground.is_clear(at.at, b);
+        if (reaches) {
+            way.push_back(b);
+            for (uint32_t p = here; p != UINT32_MAX; p = places[p].from) way.push_back(places[p].at);
+            std::reverse(way.begin(), way.end());
+            co_return way;
+        }
+        for (uint32_t offset = 0; offset < 27; ++offset) {
+            const Cell by = {static_cast<int32_t>(offset % 3) - 1, static_cast<int32_t>(offset / 3 % 3) - 1,
+                             static_cast<int32_t>(offset / 9) - 1};
+            const Cell next = {at.cell[0] + by[0], at.cell[1] + by[1], at.cell[2] + by[2]};
+            auto found = of_cell.find(next);
+            if (found == of_cell.end()) {
+                const Vec3 middle = a + cell * Vec3(next[0], next[1], next[2]);
+                Vec3 point = middle;
+                const bool is_passed = ground.project(point, normal) && (point - middle).norm() <= near_middle * cell;
+                if (slice.is_over(project_work)) co_await pace;
+                const auto number = is_passed ? static_cast<uint32_t>(places.size()) : UINT32_MAX;
+                found = of_cell.emplace(next, number).first;
+                if (is_passed) places.push_back({point, normal, next, HUGE_VAL, UINT32_MAX, false});
+            }
+            if (found->second == UINT32_MAX) continue;
+            Place& other = places[found->second];
+            const double hop = (other.at - at.at).norm();
+            if (other.is_done || at.passed + hop >= other.passed || hop > max_hop * cell) continue;
+            if (at.normal.dot(other.normal) <= 0) continue;
+            if (slice.is_over(look_work)) co_await pace;
+            Place& reached = places[found->second];
+            if (!ground.is_clear(at.at, reached.at)) continue;
+            reached.passed = at.passed + hop;
+            reached.from = here;
+            open.push({reached.passed + (b - reached.at).norm(), found->second});
+        }
+    }
+    co_return way;
+}
+
+// The chord from a to b, put onto the surface in steps of a cell: its places after a, up to b. None where it is not
+// clear, or leaves the surface.
+Task<std::pmr::vector<Vec3>> straight_way(Pace& pace, Ground& ground, Vec3 a, Vec3 b, double cell) {
+    std::pmr::vector<Vec3> way(pace.memory());
+    const auto steps = static_cast<uint32_t>(std::ceil((b - a).norm() / cell));
+    Vec3 last = a, normal;
+    Slice slice(Cost::microseconds);
+    for (uint32_t s = 1; s <= steps; ++s) {
+        Vec3 at = a + (b - a) * (static_cast<double>(s) / steps);
+        const bool is_on = s == steps || ground.project(at, normal);
+        if (!is_on || (at - last).norm() > max_hop * cell || !ground.is_clear(last, at)) {
+            way.clear();
+            co_return way;
+        }
+        way.push_back(at);
+        last = at;
+        if (slice.is_over(project_work)) co_await pace;
+    }
+    co_return way;
+}
+
+// From each place to the farthest one that a straight way leads to, by doubling and halving.
+Task<std::pmr::vector<Vec3>> pull(Pace& pace, Ground& ground, const std::pmr::vector<Vec3>& way, double cell) {
+    std::pmr::vector<Vec3> taut(1, way[0], pace.memory());
+    const auto last = static_cast<uint32_t>(way.size()) - 1;
+    for (uint32_t stand = 0; stand < last;) {
+        std::pmr::vector<Vec3> farthest(1, way[stand + 1], pace.memory());
+        uint32_t seen = stand + 1, unseen = 0, stride = 2;
+        for (;;) {
+            const uint32_t probe = unseen > 0 ? (seen + unseen) / 2 : std::min(stand + stride, last);
+            if (probe <= seen) break;
+            std::pmr::vector<Vec3> straight = co_await straight_way(pace, ground, way[stand], way[probe], cell);
+            if (straight.empty()) {
+                unseen = probe;
+                continue;
+            }
+            seen = probe;
+            stride *= 2;
+            farthest = std::move(straight);
+        }
+        taut.insert(taut.end(), farthest.begin(), farthest.end());
+        stand = seen;
+    }
+    co_return taut;
+}
+
+// Whether a segment's chords are.
+Task<bool> is_clear(Pace& pace, const Ground& ground, const FirstCurve& first, uint32_t begin, uint32_t end) {
+    bool clear = true;
+    co_await each(pace, begin, end - 1, Cost::microseconds, [&](uint32_t p) {
+        clear = clear && ground.is_clear(Vec3(&first.points[size_t{3} * p]), Vec3(&first.points[size_t{3} * p + 3]));
+    });
+    co_return clear;
+}
+
+}  // namespace
+
+Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSet& obstacles, double margin,
+                       GivenPoints given, FirstCurve& first) {
+    Ground ground(surface, obstacles, margin, pace.memory());
+    FirstCurve around(pace.memory());
+    uint32_t begin = 0;
+    for (uint32_t s = 0; s < first.ends.size(); ++s) {
+        const uint32_t end = first.ends[s];
+        const bool clear = co_await is_clear(pace, ground, first, begin, end);
+        std::pmr::vector<Vec3> way(pace.memory());
+        const Vec3 a(&first.points[size_t{3} * begin]), b(&first.points[size_t{3} * end - 3]);
+        double cell = surface.size() / first_cells;
+        for (uint32_t grid = 0; grid < grids && !clear && way.empty(); ++grid, cell *= 0.5) {
+            way = co_await search(pace, ground, a, b, cell);
+            if (!way.empty()) way = co_await pull(pace, ground, way, cell);
+        }
+        if (!clear && way.empty()) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "no way leads from point %u to point %u over the surface around the obstacles", s,
+                          (s + 1) % given.count(3));
+        }
+        const uint32_t skipped = s == 0 ? 0 : 1;
+        if (clear) {
+            around.points.insert(around.points.end(), first.points.begin() + size_t{3} * (begin + skipped),
+                                 first.points.begin() + size_t{3} * end);
+        } else {
+            for (size_t p = skipped; p < way.size(); ++p)
+                around.points.insert(around.points.end(), way[p].data(), way[p].data() + 3);
+        }
+        around.ends.push_back(static_cast<uint32_t>(around.points.size() / 3));
+        begin = end - 1;
+    }
+    first = std::move(around);
+}
+
+}  // namespace flg

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Ways over a surface around solids that cut it: where first curves of splines begin that the shortest way would lead
+// through a solid.
+//
+// A* (Hart, Nilsson, Raphael 1968) over the cells of a grid in space that the surface passes; a cell stands for the
+// surface's point nearest to its middle, and is joined to those around it where the chord is clear. Then the way is
+// pulled tight: from each place to the farthest one that a clear chord, put onto the surface, leads to. Cells that the
+// search does not come to are never looked at.
+//
+// Invariants: chords of the result are clear. A way through a gap wider than some cells is found; from grid to grid
+// cells are halved.
+#pragma once
+
+#include "splines/manifolds/hypersurface.h"
+#include "splines/obstacles/obstacle.h"
+#include "splines/optimizer/first_curve.h"
+
+namespace flg {
+
+// Replaces the segments of `first` of which chords are not clear by `margin` metres. Throws a Failure that names the
+// points where no way is found. About 20 us a cell.
+Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSet& obstacles, double margin,
+                       GivenPoints given, FirstCurve& first);
+
+}  // namespace flg

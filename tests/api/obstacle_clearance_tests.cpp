@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Splines among random solids: everywhere, not at nodes alone, they keep their clearance from the exact solids.
+#include "api/spline_inputs.h"
+#include "reference/obstacle_scenes.h"
+
+namespace flg::test {
+namespace {
+
+using reference::ObstacleScene;
+using reference::SceneKind;
+using reference::Solid;
+
+struct Kind {
+    SceneKind kind;
+    uint32_t scenes;
+};
+
+class SplineClearance : public testing::TestWithParam<Kind> {};
+
+FlgObstacles obstacles_of(const Host& host, const ObstacleScene& scene) {
+    std::vector<FlgObstacle> solids;
+    for (const Solid& solid : scene.solids) {
+        solids.push_back(described(solid, scene.dimension));
+        if (solid.kind != Solid::Kind::mesh) continue;
+        MeshArrays mesh;
+        mesh.positions = solid.positions;
+        mesh.triangles = solid.triangles;
+        solids.back().surface = mesh_surface(host, std::move(mesh));
+    }
+    return make_obstacles(host, solids, scene.dimension, scene.clearance);
+}
+
+FlgManifold manifold_of(const Host& host, SceneKind kind) {
+    if (kind == SceneKind::sphere) return shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, reference::sphere_radius);
+    return shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, kind == SceneKind::plane ? 2 : 3);
+}
+
+TEST_P(SplineClearance, HoldsBetweenNodesToo) {
+    uint32_t touching = 0;
+    for (uint64_t seed = 1000; seed < 1000 + GetParam().scenes; ++seed) {
+        const Host host;
+        const ObstacleScene scene = reference::obstacle_scene(seed, GetParam().kind);
+        FlgSplineDesc desc = spline_desc(manifold_of(host, GetParam().kind), scene.points, scene.dimension);
+        desc.obstacles = obstacles_of(host, scene);
+        desc.closed = seed % 3 == 0 && desc.point_count > 2 ? 1 : 0;
+        desc.energy = seed % 5 == 0 ? FLG_SPLINE_ENERGY_E1 : FLG_SPLINE_ENERGY_E2;
+        const MadeSpline made = make_spline(host, desc);
+        ASSERT_EQ(made.result, FLG_OK) << "scene " << seed << ": " << made.error;
+        const FlgSplineView& view = made.view;
+        const reference::Approach nearest =
+            closest_approach(scene, {view.nodes, size_t{view.node_count} * scene.dimension},
+                             {view.parameters, size_t{view.node_count} + 1}, view.closed != 0);
+        EXPECT_GT(nearest.clearance, -1e-6 * scene.size)
+            << "scene " << seed << ", node " << nearest.node << ", solid " << nearest.solid;
+        touching += nearest.clearance < 0.01 * scene.size ? 1 : 0;
+    }
+    // Many do touch: else it would say nothing.
+    EXPECT_GE(4 * touching, GetParam().scenes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SplineClearance,
+                         testing::Values(Kind{SceneKind::plane, 16}, Kind{SceneKind::space, 12},
+                                         Kind{SceneKind::meshes, 6}, Kind{SceneKind::sphere, 12}));
+
+// Points on the solids' very boundary are no points inside.
+TEST(SplineObstacles, GivenPointsMayTouch) {
+    const Host host;
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2);
+    ObstacleScene scene{.dimension = 2, .size = 4};
+    Solid& ball = scene.solids.emplace_back();
+    ball.radius = 0.5;
+    scene.points = {-2, 0, 0, 0.5, 2, 0.1};
+    FlgSplineDesc desc = spline_desc(plane, scene.points, 2);
+    desc.obstacles = obstacles_of(host, scene);
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    const reference::Approach nearest =
+        closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * 2},
+                         {made.view.parameters, made.view.node_count}, false);
+    EXPECT_GT(nearest.clearance, -1e-6 * scene.size);
+    EXPECT_LT(nearest.clearance, 1e-9);
+    EXPECT_EQ(made.node(made.view.point_nodes[1]), (Point{0, 0.5, 0}));
+}
+
+TEST(SplineObstacles, SameBitsUnderAnyWorkersAndBudgets) {
+    const ObstacleScene scene = reference::obstacle_scene(3, SceneKind::plane);
+    std::vector<double> expected;
+    for (const uint32_t workers : {0u, 3u}) {
+        for (const uint32_t budget_us : {FLG_UNLIMITED, 300u}) {
+            const Host host(workers);
+            FlgSplineDesc desc = spline_desc(manifold_of(host, SceneKind::plane), scene.points, 2);
+            desc.obstacles = obstacles_of(host, scene);
+            const MadeSpline made = make_spline(host, desc, budget_us);
+            ASSERT_EQ(made.result, FLG_OK) << made.error;
+            const std::vector<double> now(made.view.nodes, made.view.nodes + size_t{2} * made.view.node_count);
+            if (expected.empty()) expected = now;
+            EXPECT_TRUE(now == expected) << workers << " workers, budget " << budget_us;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace flg::test
