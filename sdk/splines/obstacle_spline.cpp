@@ -17,14 +17,14 @@ namespace flg {
 namespace {
 
 constexpr uint32_t lift_work = 4;      // of Cost::microseconds: two a slice
-constexpr double first_radius = 0.05;  // of the scene's size
+constexpr double first_share = 0.05;   // of the scene's size: the first radius
 constexpr double shrink = 0.35;        // of the radius, from one solve to the next
 constexpr double rough = 1e-2;         // the tolerance before the last one
 // Nodes keep so much farther away than the curve has to, of the last radius, and a part of that is spare.
-constexpr double margin_share = 0.1, spare_share = 0.25;
+constexpr double margin_share = 0.1, spare_share = 0.25, max_margin = 5;
 constexpr double allowance = 2e-7;  // of the scene's size: what rounding may do, and points that touch
 constexpr double least_way = 0.01;  // of the margin: chords of the first chain are clear by
-constexpr uint32_t max_halvings = 6, max_parts = 16, max_passes = 8;
+constexpr uint32_t max_halvings = 6, max_parts = 16, max_passes = 6, max_finer = 4;
 
 // The diameter of all that there is.
 double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
@@ -49,7 +49,9 @@ double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
 // Over free space or over a surface.
 class Barrier {
 public:
-    Barrier(const ManifoldProduct& held, const ObstacleSet& set, double radius, double size) {
+    Barrier(const ManifoldProduct& held, const ObstacleSet& set, double size, double last_radius)
+        : first_radius_(std::min(std::max(first_share * size, last_radius), 0.9 * set.reach())) {
+        const double radius = first_radius_;
         if (held.kind == ManifoldKind::space) {
             space_.emplace(set, radius, size);
         } else {
@@ -57,6 +59,7 @@ public:
         }
     }
     const Manifold& manifold() const { return space_ ? static_cast<const Manifold&>(*space_) : *surface_; }
+    double first_radius() const { return first_radius_; }
     void set_radius(double radius) { space_ ? space_->set_radius(radius) : surface_->set_radius(radius); }
     // hint: of the manifold, zeros.
     bool lift(const double* point, double* hint, double* x) const {
@@ -64,6 +67,7 @@ public:
     }
 
 private:
+    double first_radius_;
     std::optional<BarrierSurface> space_;
     std::optional<SurfaceBarrier> surface_;
 };
@@ -174,7 +178,7 @@ Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint
     for (const Trespass& trespass : trespasses) {
         const double wanted = std::ceil(trespass.depth / margin);
         const auto own = static_cast<uint8_t>(std::clamp(wanted, 2.0, double{max_parts}));
-        const uint8_t beside = own > 4 ? own / 4 : 1;
+        const uint8_t beside = own / 2;
         parts[trespass.interval] = std::max(parts[trespass.interval], own);
         const uint32_t before = (trespass.interval + intervals - 1) % intervals, after = (trespass.interval + 1) % intervals;
         parts[before] = std::max(parts[before], beside);
@@ -199,40 +203,67 @@ Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint
     chain = std::move(finer);
 }
 
-// The chain on the barrier, as it is now. Given points that are nearer than the nodes' margin stay where they are.
+// The chain on the barrier, as it is now. Given points that are nearer than the nodes' margin are moved out.
 Task<void> lift_chain(Pace& pace, const Barrier& barrier, const Chain& chain, SplineProblem& problem) {
     const uint32_t n = barrier.manifold().ambient(), d = n - 1;
     const size_t nodes = chain.points.size() / d;
     std::pmr::vector<double> hint(barrier.manifold().hint_size(), 0.0, pace.memory());
     problem.points = Buffer<double>(nodes * n, pace.memory());
-    co_await each_by_work(pace, nodes, Cost::microseconds, [&](size_t i) {
+    const auto lift = [&](size_t i) {
         std::fill(hint.begin(), hint.end(), 0.0);
-        barrier.lift(&chain.points[i * d], hint.data(), &problem.points[i * n]);
+        return barrier.lift(&chain.points[i * d], hint.data(), &problem.points[i * n]);
+    };
+    co_await each_by_work(pace, nodes, Cost::microseconds, [&](size_t i) {
+        lift(i);
         return lift_work;
     });
     problem.knots = Buffer<uint32_t>(chain.knots.size(), pace.memory());
     problem.given = Buffer<double>(chain.knots.size() * n, pace.memory());
     problem.shares = Buffer<double>(chain.shares.size(), pace.memory());
     co_await each(pace, chain.shares.size(), Cost::some_ns, [&](size_t i) { problem.shares[i] = chain.shares[i]; });
-    co_await each(pace, chain.knots.size(), Cost::some_ns, [&](size_t k) {
+    co_await each_by_work(pace, chain.knots.size(), Cost::microseconds, [&](size_t k) {
         const size_t node = problem.knots[k] = chain.knots[k];
-        std::copy_n(&chain.points[node * d], d, &problem.points[node * n]);
+        if (lift(node)) std::copy_n(&chain.points[node * d], d, &problem.points[node * n]);
         std::copy_n(&problem.points[node * n], n, &problem.given[k * n]);
+        return lift_work;
     });
 }
 
-// The chain goes to where its energy is least on the barrier.
+// The chain goes to where its energy is least on the barrier. Given points stay, to the bit.
 Task<void> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& optimizer, Spline& out, Chain& chain) {
     const uint32_t d = barrier.manifold().ambient() - 1;
     co_await run_optimizer(pace, optimizer, out);
+    size_t knot = 0;
     co_await each(pace, optimizer.nodes(), Cost::some_ns, [&](uint32_t i) {
+        if (knot < chain.knots.size() && chain.knots[knot] == i) {
+            ++knot;
+            return;
+        }
         std::copy_n(optimizer.points() + size_t{i} * (d + 1), d, &chain.points[size_t{i} * d]);
     });
 }
 
+// What stays: the optimizer's, with given points where they were given.
+Task<void> keep_chain(Pace& pace, SplineOptimizer& optimizer, const Chain& chain, Spline& out) {
+    co_await keep_spline(pace, optimizer, out);
+    const size_t n = optimizer.ambient(), d = n - 1;
+    co_await each(pace, chain.knots.size(), Cost::some_ns, [&](uint32_t k) {
+        const size_t node = chain.knots[k];
+        std::copy_n(&chain.points[node * d], d, &out.points[node * n]);
+        std::copy_n(&chain.points[node * d], d, &out.chain.nodes[node * d]);
+    });
+}
+
+// Of CurvePieces.
+struct Leave {
+    explicit Leave(Memory* memory) : allowed(memory), spare(memory) {}
+
+    std::pmr::vector<double> allowed, spare;
+};
+
 // Of the chain, and of the cubic spline through it if it bends.
 Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& optimizer, const SplineProblem& problem,
-                   const Chain& chain, std::span<const double> spare, double allowed, std::pmr::vector<Trespass>& out) {
+                   const Chain& chain, const Leave& leave, std::pmr::vector<Trespass>& out) {
     const uint32_t d = set.dimension(), nodes = optimizer.nodes();
     Moments moments(nodes, d, problem.closed, pace.memory());
     co_await each(pace, moments.steps().size(), Cost::some_ns,
@@ -245,22 +276,10 @@ Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& op
     const CurvePieces pieces{{chain.points.data(), chain.points.size()},
                              moments.steps(),
                              {second.data(), second.size()},
-                             spare,
+                             leave.allowed,
+                             leave.spare,
                              problem.closed};
-    co_await find_trespasses(pace, set, pieces, allowed, out);
-}
-
-// How much of the distance each interval's certificate leaves: less beside given points that are nearer than the nodes'
-// margin.
-void set_spare(const ObstacleSet& set, const Chain& chain, double margin, double least, bool closed,
-               std::pmr::vector<double>& out) {
-    const uint32_t d = set.dimension();
-    out.assign(chain.shares.size(), spare_share * margin);
-    for (const uint32_t node : chain.knots) {
-        if (set.distance(&chain.points[size_t{node} * d]) >= margin) continue;
-        if (node < out.size()) out[node] = least;
-        if (node > 0 || closed) out[(node + out.size() - 1) % out.size()] = least;
-    }
+    co_await find_trespasses(pace, set, pieces, out);
 }
 
 [[noreturn]] void refuse(const std::pmr::vector<Trespass>& trespasses, const Chain& chain, uint32_t d) {
@@ -270,6 +289,68 @@ void set_spare(const ObstacleSet& set, const Chain& chain, double margin, double
     throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                   "the curve can't keep clear of obstacle %u near (%g, %g, %g): it is %g nearer than it may be there",
                   worst.obstacle, at[0], at[1], d > 2 ? at[2] : 0, worst.depth);
+}
+
+// Metres.
+struct Margins {
+    double size = 0;         // of the scene
+    double last_radius = 0;  // of barriers
+    double margin = 0;       // by which nodes keep farther away than the curve has to
+    double slack = 0;        // by which the curve may come nearer
+};
+
+// Beside given points that are nearer than the nodes' margin the curve may come nearer by that.
+void set_leave(const ObstacleSet& set, const Chain& chain, const Margins& scene, bool closed, Leave& out) {
+    const uint32_t d = set.dimension();
+    const size_t intervals = chain.shares.size();
+    out.spare.assign(intervals, spare_share * scene.margin);
+    out.allowed.assign(intervals, scene.slack);
+    for (const uint32_t node : chain.knots) {
+        if (set.distance(&chain.points[size_t{node} * d]) >= scene.margin) continue;
+        for (size_t beside = 0; beside < 4; ++beside) {
+            const size_t interval = node + intervals + beside - 2;
+            if (closed || (interval >= intervals && interval < 2 * intervals))
+                out.allowed[interval % intervals] = scene.margin;
+        }
+    }
+}
+
+// On barriers whose radius shrinks to the last one.
+Task<void> descend(Pace& pace, const Margins& scene, Barrier& barrier, SplineProblem& problem, Spline& out,
+                   Chain& chain) {
+    const double tolerance = problem.tolerance;
+    problem.tolerance = rough;
+    for (double radius = barrier.first_radius(); radius > scene.last_radius;
+         radius = std::max(radius * shrink, scene.last_radius)) {
+        barrier.set_radius(radius);
+        co_await lift_chain(pace, barrier, chain, problem);
+        SplineOptimizer optimizer(problem, pace.memory());
+        co_await minimize_on(pace, barrier, optimizer, out, chain);
+    }
+    barrier.set_radius(scene.last_radius);
+    problem.tolerance = tolerance;
+}
+
+// On the last barrier, until all of the curve is clear: with more nodes where it is not, which then keep farther away.
+// Leaves what trespasses in the end.
+Task<void> settle(Pace& pace, const ObstacleSet& set, const Margins& scene, ObstacleSet& wider, const Barrier& barrier,
+                  SplineProblem& problem, Spline& out, Chain& chain, std::pmr::vector<Trespass>& trespasses) {
+    const uint32_t d = set.dimension();
+    Leave leave(pace.memory());
+    double margin = scene.margin;
+    for (uint32_t pass = 0;; ++pass) {
+        co_await lift_chain(pace, barrier, chain, problem);
+        SplineOptimizer optimizer(problem, pace.memory());
+        co_await minimize_on(pace, barrier, optimizer, out, chain);
+        set_leave(set, chain, scene, problem.closed, leave);
+        trespasses.clear();
+        co_await examine(pace, set, optimizer, problem, chain, leave, trespasses);
+        if (trespasses.empty()) co_return co_await keep_chain(pace, optimizer, chain, out);
+        if (pass + 1 == max_passes || chain.points.size() / d > FLG_SPLINE_MAX_NODES / 4) co_return;
+        co_await refine(pace, trespasses, d, problem.closed, margin, chain);
+        margin = std::min(1.5 * margin, max_margin * scene.margin);
+        wider.set_clearance(set.clearance() + margin);
+    }
 }
 
 }  // namespace
@@ -288,48 +369,33 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     co_await refuse_coincident(pace, placed, d, problem.closed, problem.manifold->size());
     const GivenPoints given{
         .values = {placed.data(), placed.size()}, .closed = problem.closed, .argument = "desc.points"};
-    const double size = scene_size(set, placed), last = request.desc.obstacle_radius * size,
-                 margin = std::min(margin_share * last, 0.01 * set.reach()), slack = allowance * size;
-    const ObstacleSet wider = set.with_clearance(set.clearance() + margin, pace.memory());
+    Margins scene{.size = scene_size(set, placed)};
+    scene.last_radius = request.desc.obstacle_radius * scene.size;
+    scene.margin = std::min(margin_share * scene.last_radius, 0.01 * set.reach());
+    scene.slack = allowance * scene.size;
+    ObstacleSet wider(set, pace.memory());
+    wider.set_clearance(set.clearance() + scene.margin);
     FirstCurve first(pace.memory());
-    co_await find_beginning(pace, request, wider, margin, given, first);
+    co_await find_beginning(pace, request, wider, scene.margin, given, first);
     const uint32_t segments = given.segments(d);
     const uint32_t nodes = request.desc.node_count > 0
                                ? request.desc.node_count
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
-    co_await place_nodes(pace, *problem.manifold, first, given, nodes, 2, problem);
-    Chain chain(pace.memory());
-    co_await place_around(pace, wider, first, problem, least_way * margin, chain);
-
     pace.stage("minimize");
-    double radius = std::min(std::max(first_radius * size, last), 0.9 * wider.reach());
-    Barrier barrier(held, wider, radius, size);
-    problem.manifold = &barrier.manifold();
-    const double tolerance = problem.tolerance;
-    problem.tolerance = rough;
-    for (; radius > last; radius = std::max(radius * shrink, last)) {
-        barrier.set_radius(radius);
-        co_await lift_chain(pace, barrier, chain, problem);
-        SplineOptimizer optimizer(problem, pace.memory());
-        co_await minimize_on(pace, barrier, optimizer, out, chain);
-    }
-    barrier.set_radius(radius);
-    problem.tolerance = tolerance;
+    // From the beginning again, with more nodes, where refining did not do.
     std::pmr::vector<Trespass> trespasses(pace.memory());
-    std::pmr::vector<double> spare(pace.memory());
-    for (uint32_t pass = 0;; ++pass) {
-        co_await lift_chain(pace, barrier, chain, problem);
-        SplineOptimizer optimizer(problem, pace.memory());
-        co_await minimize_on(pace, barrier, optimizer, out, chain);
-        set_spare(set, chain, margin, 0.5 * slack, problem.closed, spare);
-        trespasses.clear();
-        co_await examine(pace, set, optimizer, problem, chain, spare, slack, trespasses);
-        if (trespasses.empty()) {
-            co_await keep_spline(pace, optimizer, out);
-            break;
-        }
-        if (pass + 1 == max_passes || 2 * chain.points.size() / d > FLG_SPLINE_MAX_NODES) refuse(trespasses, chain, d);
-        co_await refine(pace, trespasses, d, problem.closed, margin, chain);
+    for (uint32_t finer = 1;; finer *= 4) {
+        problem.manifold = held.manifold.get();
+        co_await place_nodes(pace, *problem.manifold, first, given, finer * nodes, 2, problem);
+        Chain chain(pace.memory());
+        wider.set_clearance(set.clearance() + scene.margin);
+        co_await place_around(pace, wider, first, problem, least_way * scene.margin, chain);
+        Barrier barrier(held, wider, scene.size, scene.last_radius);
+        problem.manifold = &barrier.manifold();
+        co_await descend(pace, scene, barrier, problem, out, chain);
+        co_await settle(pace, set, scene, wider, barrier, problem, out, chain, trespasses);
+        if (trespasses.empty()) break;
+        if (finer == max_finer || 4 * uint64_t{finer} * nodes > FLG_SPLINE_MAX_NODES / 4) refuse(trespasses, chain, d);
     }
     problem.manifold = held.manifold.get();
     out.knots = std::move(problem.knots);

@@ -116,6 +116,18 @@ void add_star_mesh(Draws& draw, Solid& solid, const Vec3& centre) {
     }
 }
 
+// A box, often a thin plate.
+void add_box_mesh(Draws& draw, Solid& solid) {
+    const double sides[3] = {draw(0.05, 1.2), draw(0.2, 1.2), draw(0.2, 1.2)};
+    for (uint32_t corner = 0; corner < 8; ++corner) {
+        Vec3 at = solid.centre;
+        for (uint32_t k = 0; k < 3; ++k) at += ((corner >> k & 1) != 0 ? sides[k] : -sides[k]) * solid.axes[k];
+        for (uint32_t c = 0; c < 3; ++c) solid.positions.push_back(static_cast<float>(at[c]));
+    }
+    solid.triangles = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                       2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+}
+
 Solid random_solid(Draws& draw, SceneKind kind, const Vec3& centre) {
     const uint32_t dimension = kind == SceneKind::plane ? 2 : 3;
     Solid solid;
@@ -134,7 +146,7 @@ Solid random_solid(Draws& draw, SceneKind kind, const Vec3& centre) {
     solid.axes[1] = second;
     solid.axes[2] = first.cross(second);
     if (solid.kind == Kind::polygon) add_star_polygon(draw, solid, centre);
-    if (solid.kind == Kind::mesh) add_star_mesh(draw, solid, centre);
+    if (solid.kind == Kind::mesh) draw.below(2) == 0 ? add_star_mesh(draw, solid, centre) : add_box_mesh(draw, solid);
     return solid;
 }
 

@@ -15,7 +15,7 @@ constexpr double min_step = 1.0 / 64;  // of the interval, where it is not clear
 
 }  // namespace
 
-Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve, double allowed,
+Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve,
                            std::pmr::vector<Trespass>& out) {
     const uint32_t d = obstacles.dimension(), nodes = static_cast<uint32_t>(curve.nodes.size() / d);
     Slice slice(Cost::microseconds);
@@ -35,7 +35,7 @@ Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces
             Obstacle::Place at{};
             for (uint32_t c = 0; c < d; ++c) at[c] = (1 - t) * a[c] + t * b[c];
             uint32_t which = 0;
-            const double left = obstacles.distance(at.data(), &which) - t * (1 - t) * bulge + allowed,
+            const double left = obstacles.distance(at.data(), &which) - t * (1 - t) * bulge + curve.allowed[i],
                          lacking = curve.spare[i] - left;
             if (lacking > worst.depth) worst = {i, which, lacking, t};
             if (slice.is_over(look_work)) co_await pace;

@@ -26,14 +26,15 @@ struct CurvePieces {
     std::span<const double> nodes;    // d numbers each
     std::span<const double> steps;    // of the parameter, one an interval
     std::span<const double> moments;  // second derivatives, d numbers a node; empty: the chain alone
+    std::span<const double> allowed;  // metres, one an interval: how much nearer it may come
     std::span<const double> spare;    // metres > 0, one an interval: how much of a distance is not used up
     bool closed;
 };
 
-// Appends the intervals that may come nearer to an obstacle than -allowed metres, and those where less than the spare
-// part is left of the distance: of the others no place is nearer. 50 ns an obstacle that is near and step; steps are no
-// shorter than the spare part.
-Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve, double allowed,
+// Appends the intervals that may come nearer to an obstacle than they are allowed to, and those where less than the
+// spare part is left of the distance: of the others no place is nearer. 50 ns an obstacle that is near and step; steps
+// are no shorter than the spare part.
+Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve,
                            std::pmr::vector<Trespass>& out);
 
 }  // namespace flg

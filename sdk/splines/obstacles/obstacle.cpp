@@ -11,7 +11,7 @@ namespace flg {
 namespace {
 
 constexpr double deep = 0.5;  // of the core's depth
-constexpr uint32_t max_looks = 64;
+constexpr uint32_t max_looks = 64, most_looks = 4096;
 
 // How often the way from a to b turns around p, beside what its ends and others' cancel: its crossings of the ray from
 // p along x.
@@ -130,7 +130,8 @@ bool ObstacleSet::clear(const double* a, const double* b, double margin) const {
     }
 }
 
-// In steps to where it may get so deep, looks of a sixty-fourth of the way at least.
+// In steps to where it may get so deep, looks of a sixty-fourth of the way at least, but no longer than what is so deep
+// is wide.
 bool ObstacleSet::pierces(uint32_t i, const double* a, const double* b) const {
     const double depth = deep * obstacles_[i]->core_depth();
     double square = 0;
@@ -142,12 +143,13 @@ bool ObstacleSet::pierces(uint32_t i, const double* a, const double* b) const {
     const double length = std::sqrt(square);
     if (obstacles_[i]->bounded() && at_least(i, at.data()) + clearance_ > 0.5 * length) return false;
     if (obstacles_[i]->evaluate(at.data(), nullptr, nullptr) + depth > 0.5 * length) return false;
+    const double least = std::max(std::min(length / max_looks, depth), length / most_looks);
     for (double done = 0; done <= length;) {
         const double t = length > 0 ? done / length : 0;
         for (uint32_t k = 0; k < dimension_; ++k) at[k] = a[k] + t * (b[k] - a[k]);
         const double above = obstacles_[i]->evaluate(at.data(), nullptr, nullptr) + depth;
         if (above < 0) return true;
-        done += std::max(above, length / max_looks);
+        done += std::max(above, least);
         if (length == 0) break;
     }
     return false;

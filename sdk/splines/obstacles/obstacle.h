@@ -89,12 +89,13 @@ public:
     // negative or not finite or too large for the reach of an obstacle.
     ObstacleSet(std::span<const Obstacle* const> obstacles, double clearance, Memory* memory);
 
+    ObstacleSet(const ObstacleSet& other, Memory* memory)
+        : obstacles_(other.obstacles_, memory), dimension_(other.dimension_), clearance_(other.clearance_) {}
+
     static constexpr uint32_t max_count = 256;
 
-    // The same obstacles.
-    ObstacleSet with_clearance(double clearance, Memory* memory) const {
-        return ObstacleSet(obstacles_, clearance, memory);
-    }
+    // Less than the reach of each. Nobody else uses the set meanwhile.
+    void set_clearance(double clearance) { clearance_ = clearance; }
 
     uint32_t dimension() const { return dimension_; }
     uint32_t count() const { return static_cast<uint32_t>(obstacles_.size()); }
