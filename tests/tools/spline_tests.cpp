@@ -272,6 +272,31 @@ TEST_F(SplineCommand, KeepsOutOfObstaclesOnTheSideThatIsAskedFor) {
     }
 }
 
+TEST_F(SplineCommand, KeepsOutOfSolidsThatCutASurface) {
+    points({{0.1, 0.1, 0}, {0.9, 0.9, 0}});
+    folder.write("square.off", square(12).off());
+    folder.write("ball.json", R"({"obstacles": [{"ball": {"centre": [0.5, 0.5, 0], "radius": 0.2}}]})");
+    for (const Strings& more : std::vector<Strings>{{}, {"--inside"}}) {
+        Strings options = {"--obstacles", "ball.json"};
+        options.insert(options.end(), more.begin(), more.end());
+        double nearest = 1e9;
+        for (const Point& p : curve("square.off", options)) nearest = std::min(nearest, std::hypot(p[0] - 0.5, p[1] - 0.5));
+        EXPECT_GT(nearest, 0.2 - 1e-6);
+        EXPECT_LT(nearest, 0.21);
+    }
+    // A mesh is a solid too; it is looked for beside the file.
+    folder.write("cube.off",
+                 "OFF\n8 12 0\n0.4 0.4 -1\n0.6 0.4 -1\n0.6 0.6 -1\n0.4 0.6 -1\n0.4 0.4 1\n0.6 0.4 1\n0.6 0.6 1\n"
+                 "0.4 0.6 1\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+                 "3 3 0 4\n3 3 4 7\n");
+    folder.write("cube.json", R"({"obstacles": [{"mesh": "cube.off"}]})");
+    double nearest = 1e9;
+    for (const Point& p : curve("square.off", {"--obstacles", "cube.json"}))
+        nearest = std::min(nearest, std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)) - 0.1);
+    EXPECT_GT(nearest, -0.01) << "half a cell of the grid that meshes are known by";
+    EXPECT_LT(nearest, 0.03);
+}
+
 // Beyond the square's border on its way, if nothing holds it.
 TEST_F(SplineCommand, StaysBetweenTheBordersOfAnOpenMesh) {
     folder.write("square.off", square(12).off());

@@ -164,7 +164,7 @@ void run_motion(const Options& options, const CommonOptions& common) {
     FlgMotionDesc desc = desc_of(file);
     SplineObstacles obstacles;
     if (!options.obstacles.empty()) {
-        obstacles = read_obstacles(session, options.obstacles, 3);
+        obstacles = read_obstacles(session, options.obstacles, 3, report);
         desc.obstacles = obstacles.handle;
         desc.sides = obstacles.sides.data();
         desc.side_count = static_cast<uint32_t>(obstacles.sides.size());

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -162,15 +163,17 @@ void run_spline(const Options& options, const CommonOptions& common) {
     const SplineManifold manifold = make_spline_manifold(
         session, options.surface,
         {.among_obstacles = among, .feature = options.feature, .smoothing_scale = options.smoothing_scale}, report);
-    SplineObstacles obstacles;
-    if (among) obstacles = read_obstacles(session, options.obstacles, manifold.view.ambient);
-    if (options.inside || options.layer > 0) obstacles = keep_inside(session, manifold, options.layer, report);
+    std::optional<FlgObstacle> border;
+    if (options.inside || options.layer > 0) border = border_of(manifold, options.layer);
+    std::optional<SplineObstacles> obstacles;
+    if (among || border)
+        obstacles = read_obstacles(session, options.obstacles, manifold.view.ambient, report, border ? &*border : nullptr);
     std::vector<Made> all;
     uint32_t rounds = 0, nodes = 0, held = 0;
     double energy = 0, residual = 0, offset = 0, length = 0;
     for (uint32_t line = 0; line < lines.count(); ++line) {
         all.push_back(
-            make_one(session, options, manifold, obstacles.count > 0 ? &obstacles : nullptr, lines, line, report));
+            make_one(session, options, manifold, obstacles ? &*obstacles : nullptr, lines, line, report));
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
         nodes += view.node_count;
@@ -262,7 +265,7 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
         ->check(at_least_zero())
         ->capture_default_str();
     app->add_option("--obstacles", o->obstacles,
-                    "Solids to keep out of (sdk/splines/README.md), with SURFACE plane or space")
+                    "Solids to keep out of (sdk/splines/README.md)")
         ->type_name("FILE.json");
     app->add_option("--tolerance", o->tolerance, "Residual at which the optimizer stops")
         ->check(CLI::Range(1e-12, 1.0))

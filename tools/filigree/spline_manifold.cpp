@@ -118,8 +118,6 @@ SplineManifold make_spline_manifold(Session& session, const std::string& text, c
         if (flgManifoldCreateShape(session.context(), &shape, &out.handle) != FLG_OK) {
             throw UsageError("SURFACE: " + text + ": " + flgErrorGetMessage());
         }
-    } else if (options.among_obstacles) {
-        throw UsageError("--obstacles: SURFACE must be plane or space, not " + text);
     } else if (is_cloud(text)) {
         make_cloud(session, text, options.smoothing_scale, out, report);
     } else {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <filesystem>
 
 #include "documents/failure.h"
 #include "documents/json_place.h"
@@ -19,9 +20,18 @@ void read_place(const JsonPlace& place, uint32_t dimension, double* out) {
     for (uint32_t c = 0; c < dimension; ++c) out[c] = items[c].number(-most, most);
 }
 
-FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, std::deque<std::vector<double>>& polygons) {
+// What obstacles point to while they are made.
+struct Sources {
+    Session& session;
+    Report& report;
+    std::filesystem::path folder;
+    std::deque<std::vector<double>> polygons;
+    std::deque<MeshSurface> meshes;
+};
+
+FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, Sources& sources) {
     FlgObstacle out = flgObstacleDefaults();
-    place.allow({"ball", "box", "capsule", "polygon"});
+    place.allow({"ball", "box", "capsule", "polygon", "mesh"});
     if (const auto ball = place.find("ball")) {
         ball->allow({"centre", "radius"});
         out.kind = FLG_OBSTACLE_KIND_BALL;
@@ -45,7 +55,7 @@ FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, std::deque
         out.radius = capsule->at("radius").number(0, most);
     } else if (const auto polygon = place.find("polygon")) {
         out.kind = FLG_OBSTACLE_KIND_POLYGON;
-        std::vector<double>& points = polygons.emplace_back();
+        std::vector<double>& points = sources.polygons.emplace_back();
         for (const JsonPlace& point : polygon->items()) {
             double xy[3] = {};
             read_place(point, 2, xy);
@@ -53,63 +63,68 @@ FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, std::deque
         }
         out.points = points.data();
         out.point_count = static_cast<uint32_t>(points.size() / 2);
+    } else if (const auto mesh = place.find("mesh")) {
+        if (dimension != 3) mesh->fail("is no obstacle of the plane");
+        const std::string file = (sources.folder / mesh->text()).string();
+        const MeshSurface& read = sources.meshes.emplace_back(sources.session, file, 0.0f, sources.report);
+        read.warn_of_repairs(sources.report);
+        out.kind = FLG_OBSTACLE_KIND_MESH;
+        out.surface = read.handle();
     } else {
-        place.fail("must have one of ball, box, capsule, polygon");
+        place.fail("must have one of ball, box, capsule, polygon, mesh");
     }
     return out;
 }
 
 }  // namespace
 
-SplineObstacles read_obstacles(const Session& session, const std::string& file, uint32_t dimension) {
-    const nlohmann::json json = JsonPlace::read(file);
-    const JsonPlace root(json, file);
-    root.allow({"clearance", "obstacles", "sides"});
+SplineObstacles read_obstacles(Session& session, const std::string& file, uint32_t dimension, Report& report,
+                               const FlgObstacle* border) {
+    Sources sources{session, report, std::filesystem::path(file).parent_path(), {}, {}};
     std::vector<FlgObstacle> obstacles;
-    std::deque<std::vector<double>> polygons;
-    for (const JsonPlace& item : root.at("obstacles").items())
-        obstacles.push_back(read_obstacle(item, dimension, polygons));
     SplineObstacles out;
-    out.count = static_cast<uint32_t>(obstacles.size());
-    if (const auto sides = root.find("sides")) {
-        for (const JsonPlace& item : sides->items()) {
-            item.allow({"obstacle", "direction"});
-            FlgObstacleSide side = {};
-            if (out.count == 0) item.fail("there are no obstacles");
-            side.obstacle = item.at("obstacle").count(0, out.count - 1);
-            read_place(item.at("direction"), dimension, side.direction);
-            out.sides.push_back(side);
+    FlgObstaclesDesc desc = flgObstaclesDefaults();
+    if (!file.empty()) {
+        const nlohmann::json json = JsonPlace::read(file);
+        const JsonPlace root(json, file);
+        root.allow({"clearance", "obstacles", "sides"});
+        for (const JsonPlace& item : root.at("obstacles").items())
+            obstacles.push_back(read_obstacle(item, dimension, sources));
+        if (const auto sides = root.find("sides")) {
+            for (const JsonPlace& item : sides->items()) {
+                item.allow({"obstacle", "direction"});
+                FlgObstacleSide side = {};
+                if (obstacles.empty()) item.fail("there are no obstacles");
+                side.obstacle = item.at("obstacle").count(0, static_cast<uint32_t>(obstacles.size()) - 1);
+                read_place(item.at("direction"), dimension, side.direction);
+                out.sides.push_back(side);
+            }
         }
+        if (const auto clearance = root.find("clearance")) desc.clearance = clearance->number(0, most);
     }
-    FlgObstaclesDesc desc;
-    flgObstaclesDescInit(&desc, sizeof desc);
+    const std::string name = file.empty() ? "the mesh's borders" : file;
+    out.count = static_cast<uint32_t>(obstacles.size());
+    if (border) obstacles.push_back(*border);
     desc.dimension = dimension;
     desc.obstacles = obstacles.data();
-    desc.obstacle_count = out.count;
-    if (const auto clearance = root.find("clearance")) desc.clearance = clearance->number(0, most);
-    check(flgObstaclesCreate(session.context(), &desc, &out.handle, nullptr), file);
+    desc.obstacle_count = static_cast<uint32_t>(obstacles.size());
+    FlgJob job = {};
+    check(flgObstaclesCreate(session.context(), &desc, &out.handle, &job), name);
+    session.finish({{{job, name}}}, report);
     return out;
 }
 
-SplineObstacles keep_inside(Session& session, const SplineManifold& manifold, double thickness, Report& report) {
+FlgObstacle border_of(const SplineManifold& manifold, double thickness) {
     if (!manifold.mesh) throw UsageError("--inside: SURFACE must be a mesh, not " + manifold.name);
     constexpr double cells_in_a_layer = 6;
-    FlgObstacle layer = flgObstacleDefaults();
-    layer.kind = thickness > 0 ? FLG_OBSTACLE_KIND_LAYER : FLG_OBSTACLE_KIND_BORDER;
-    layer.surface = manifold.mesh->handle();
+    FlgObstacle border = flgObstacleDefaults();
+    border.kind = thickness > 0 ? FLG_OBSTACLE_KIND_LAYER : FLG_OBSTACLE_KIND_BORDER;
+    border.surface = manifold.mesh->handle();
     if (thickness > 0) {
-        layer.radius = thickness;
-        layer.cells = static_cast<uint32_t>(std::clamp(cells_in_a_layer * manifold.view.size / thickness, 16.0, 192.0));
+        border.radius = thickness;
+        border.cells = static_cast<uint32_t>(std::clamp(cells_in_a_layer * manifold.view.size / thickness, 16.0, 192.0));
     }
-    FlgObstaclesDesc desc = flgObstaclesDefaults();
-    desc.obstacles = &layer;
-    desc.obstacle_count = 1;
-    SplineObstacles out;
-    out.count = 1;
-    FlgJob job = {};
-    check(flgObstaclesCreate(session.context(), &desc, &out.handle, &job), manifold.name + ": its borders");
-    session.finish({{{job, manifold.name + ": its borders"}}}, report);
-    return out;
+    return border;
 }
 
 }  // namespace flg::cli

@@ -5,10 +5,12 @@
 //      "obstacles": [{"ball": {"centre": [0, 0, 0], "radius": 1}},
 //                    {"box": {"centre": [2, 0, 0], "half": [1, 1, 1], "axes": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}},
 //                    {"capsule": {"from": [0, 0, 0], "to": [0, 0, 2], "radius": 0.5}},
-//                    {"polygon": [[0, 0], [1, 0], [0, 1]]}],
+//                    {"polygon": [[0, 0], [1, 0], [0, 1]]},
+//                    {"mesh": "rock.obj"}],
 //      "sides": [{"obstacle": 0, "direction": [0, 1, 0]}]}
 //
-// Metres; of the plane two numbers a place. Clearance, axes and sides may be left out.
+// Metres; of the plane two numbers a place. Clearance, axes and sides may be left out. Meshes, of space, are beside the
+// file.
 #pragma once
 
 #include <string>
@@ -26,11 +28,13 @@ struct SplineObstacles {
     uint32_t count = 0;
 };
 
-// Throws InputError, with file and place.
-SplineObstacles read_obstacles(const Session& session, const std::string& file, uint32_t dimension);
+// Of a file, or none, and with the border of the mesh that curves stay on, if it is given. Throws InputError, with file
+// and place.
+SplineObstacles read_obstacles(Session& session, const std::string& file, uint32_t dimension, Report& report,
+                               const FlgObstacle* border = nullptr);
 
-// Keeps curves between the borders of an open mesh: by a layer around it, so thick to either side, or, with 0, by its
-// borders. Throws InputError, UsageError where SURFACE is no mesh.
-SplineObstacles keep_inside(Session& session, const SplineManifold& manifold, double thickness, Report& report);
+// What is beyond the borders of an open mesh: of a layer around it, so thick to either side, or, with 0, of the mesh.
+// Throws UsageError where SURFACE is no mesh.
+FlgObstacle border_of(const SplineManifold& manifold, double thickness);
 
 }  // namespace flg::cli
