@@ -57,6 +57,7 @@ void check_joint(const FlgRigJoint& joint, uint32_t index) {
     check(joint.side >= -1 && joint.side <= 1, "side must be -1 to 1");
     check(joint.pair < FLG_RIG_MAX_JOINTS && joint.index < FLG_RIG_MAX_JOINTS, "pair and index must be below 1024");
     check(std::abs(load_vec3(joint.limit_axis).norm() - 1) <= 1e-3, "limit_axis must be of length 1");
+    check(joint.limit_swing >= 0 && joint.limit_swing <= most_radians, "limit_swing must be 0 to pi");
     check(joint.limit_twist_min >= -most_radians && joint.limit_twist_min <= 0 && joint.limit_twist_max >= 0 &&
               joint.limit_twist_max <= most_radians,
           "limit_twist_min and limit_twist_max must be -pi to 0 and 0 to pi");

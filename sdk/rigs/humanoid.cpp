@@ -68,8 +68,8 @@ Limb find_limb(const Rig& rig, FlgLimb limb, int32_t side) {
     const Limb found{first, rig.find(first, FLG_LIMB_PLACE_UPPER), rig.find(first, FLG_LIMB_PLACE_MIDDLE),
                      rig.find(first, FLG_LIMB_PLACE_END)};
     if (found.upper == none || found.middle == none || found.end == none)
-        refuse("its %s %s does not bend: it needs three joints; a finer skeleton has more",
-               side > 0 ? "left" : "right", name);
+        refuse("its %s %s does not bend: it needs three joints; a finer skeleton has more", side > 0 ? "left" : "right",
+               name);
     return found;
 }
 
@@ -89,8 +89,7 @@ void name_side(const Rig& rig, const Limb& arm, const Limb& leg, const SideNames
 void name_humanoid(const Rig& rig, FlgRigStandard standard, const char** names) {
     const Names& as = standards[static_cast<size_t>(standard)];
     if (rig.view.leg_count == 0) refuse("it has no legs");
-    if (rig.view.leg_count != 2)
-        refuse("it has %u leg%s", rig.view.leg_count, rig.view.leg_count == 1 ? "" : "s");
+    if (rig.view.leg_count != 2) refuse("it has %u leg%s", rig.view.leg_count, rig.view.leg_count == 1 ? "" : "s");
     if (rig.first(FLG_LIMB_LEG, 1) == none || rig.first(FLG_LIMB_LEG, -1) == none)
         refuse("its legs do not stand side by side");
     const Limb left_leg = find_limb(rig, FLG_LIMB_LEG, 1), right_leg = find_limb(rig, FLG_LIMB_LEG, -1);

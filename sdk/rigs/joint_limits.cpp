@@ -9,13 +9,13 @@ namespace flg {
 
 namespace {
 
-constexpr double deep_within = 0.5;   // share of a radius
-constexpr double short_end = 0.2;     // share of the limb that a hand or foot is
-constexpr double thinnest = 0.5;      // share of a bone's larger radius that its capsule has at least
+constexpr double deep_within = 0.5;                   // share of a radius
+constexpr double short_end = 0.2;                     // share of the limb that a hand or foot is
+constexpr double thinnest = 0.5;                      // share of a bone's larger radius that its capsule has at least
 constexpr double bent_knee = 0.15, bent_elbow = 0.3;  // radians at rest that say how a hinge turns
-constexpr double sideways = 0.5;      // cosine between a leg and the left from which it lies to a side
-constexpr double furthest_bend = 2.4; // radians of a hinge from straight
-constexpr double least_bend = 0.3;    // radians that a hinge may bend further, however it is bent at rest
+constexpr double sideways = 0.5;                      // cosine between a leg and the left from which it lies to a side
+constexpr double furthest_bend = 2.4;                 // radians of a hinge from straight
+constexpr double least_bend = 0.3;  // radians that a hinge may bend further, however it is bent at rest
 
 struct Cone {
     double swing, twist;
@@ -138,7 +138,8 @@ private:
             if (joints_[j].place == FLG_LIMB_PLACE_END) end = j;
         }
         if (middle == FLG_NO_INDEX) return;
-        const Vec3 before = skeleton_.at[middle] - skeleton_.at[upper], after = skeleton_.at[end] - skeleton_.at[middle];
+        const Vec3 before = skeleton_.at[middle] - skeleton_.at[upper],
+                   after = skeleton_.at[end] - skeleton_.at[middle];
         const Vec3 along = (skeleton_.at[end] - skeleton_.at[upper]).stableNormalized();
         const bool is_leg = joints_[first].limb == FLG_LIMB_LEG;
         const Vec3 normal = before.cross(after);

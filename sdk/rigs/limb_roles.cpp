@@ -13,8 +13,8 @@ namespace {
 constexpr uint32_t nothing = FLG_NO_INDEX;
 
 // Shares of the model's height.
-constexpr double foot_height = 0.2;    // feet end so near to the ground
-constexpr double low_height = 0.35;    // and the legs of what has more than two
+constexpr double foot_height = 0.2;  // feet end so near to the ground
+constexpr double low_height = 0.35;  // and the legs of what has more than two
 // Shares of the model's size, the diagonal of its joints' box.
 constexpr double flat = 0.05;          // nothing is farther from the middle: seen from the side
 constexpr double beside = 0.01;        // of what lies to a side
@@ -27,10 +27,10 @@ constexpr double arm_begins = 0.05;    // share of the hand's distance from the 
 constexpr double middle_width = 0.12;  // of limbs in the middle, on average
 // What hangs falls by this share of its length; what is level, by no more.
 constexpr double hanging = 0.5;
-constexpr double thick = 0.6;          // share of the root's radius that bones of a trunk have
-constexpr double symmetric = 0.7;      // share of tips with a mirror image
-constexpr double head_thickness = 0.8; // share of its largest radius that the head's last joint has
-constexpr double height_counts = 0.3;  // of a head against its thickness
+constexpr double thick = 0.6;           // share of the root's radius that bones of a trunk have
+constexpr double symmetric = 0.7;       // share of tips with a mirror image
+constexpr double head_thickness = 0.8;  // share of its largest radius that the head's last joint has
+constexpr double height_counts = 0.3;   // of a head against its thickness
 
 class LimbFinder {
 public:

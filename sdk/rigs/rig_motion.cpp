@@ -22,19 +22,20 @@ constexpr double lowest_hips = 0.15;       // hips are lowered no further: the s
 constexpr double nearly_straight = 0.998;  // share of its length that a leg in use may have
 constexpr double shorter_stride = 0.85;    // the next one tried
 constexpr int stride_tries = 16;
-constexpr double reached = 1e-6;           // share of a leg's length that its foot may be off
+constexpr double reached = 1e-6;                                 // share of a leg's length that its foot may be off
 constexpr double standing_of_two = 0.6, standing_of_more = 0.7;  // share of the cycle
 
 // Radians.
-constexpr double arm_swing = 0.35, elbow_bend = 0.3, arms_aside = 0.35, highest_lowered = 0.3, trunk_twist = 0.05, head_turn = 0.06;
+constexpr double arm_swing = 0.35, elbow_bend = 0.3, arms_aside = 0.35, highest_lowered = 0.3, trunk_twist = 0.05,
+                 head_turn = 0.06;
 constexpr double tail_wag = 0.12, tail_later = 0.5;
 constexpr double breath = 0.025, look = 0.12, arm_sway = 0.05;
 constexpr double upper_arm_rise = 0.35, straight_arm_rise = 0.6;  // tangents
 constexpr double forearm_bend = 1.3;
 constexpr double wave_swing = 0.35, paw_lift = 0.7, paw_bend = 0.9, paw_swing = 0.25;
 
-constexpr double waves = 3;        // in a cycle
-constexpr double lifting = 0.25;   // share of the cycle that an arm takes up, and down
+constexpr double waves = 3;       // in a cycle
+constexpr double lifting = 0.25;  // share of the cycle that an arm takes up, and down
 
 double smooth_step(double x) {
     x = std::clamp(x, 0.0, 1.0);
@@ -335,8 +336,8 @@ private:
             }
             bend(middle, raised * joint_bend(middle));
         }
-        const Quaternion lift = Quaternion::FromTwoVectors(rig_.direction(upper, middle == none ? end : middle),
-                                                           aside(straight_arm_rise));
+        const Quaternion lift =
+            Quaternion::FromTwoVectors(rig_.direction(upper, middle == none ? end : middle), aside(straight_arm_rise));
         set(upper, turned(rig_.forward, wave_swing * swing) * Quaternion::Identity().slerp(raised, lift));
     }
 

@@ -31,26 +31,25 @@ std::string refusal(const Figure& figure) {
 }
 
 TEST(Humanoid, NamesOfVrm) {
-    const std::map<std::string, std::string> expected = {
-        {"hips", "hips"},
-        {"spine_0", "spine"},
-        {"spine_1", "chest"},
-        {"head_0", "neck"},
-        {"head_1", "head"},
-        {"arm.L_0", "leftUpperArm"},
-        {"arm.L_1", "leftLowerArm"},
-        {"arm.L_2", "leftHand"},
-        {"arm.R_0", "rightUpperArm"},
-        {"arm.R_1", "rightLowerArm"},
-        {"arm.R_2", "rightHand"},
-        {"leg.L_0", "leftUpperLeg"},
-        {"leg.L_1", "leftLowerLeg"},
-        {"leg.L_2", "leftFoot"},
-        {"leg.L_3", "leftToes"},
-        {"leg.R_0", "rightUpperLeg"},
-        {"leg.R_1", "rightLowerLeg"},
-        {"leg.R_2", "rightFoot"},
-        {"leg.R_3", "rightToes"}};
+    const std::map<std::string, std::string> expected = {{"hips", "hips"},
+                                                         {"spine_0", "spine"},
+                                                         {"spine_1", "chest"},
+                                                         {"head_0", "neck"},
+                                                         {"head_1", "head"},
+                                                         {"arm.L_0", "leftUpperArm"},
+                                                         {"arm.L_1", "leftLowerArm"},
+                                                         {"arm.L_2", "leftHand"},
+                                                         {"arm.R_0", "rightUpperArm"},
+                                                         {"arm.R_1", "rightLowerArm"},
+                                                         {"arm.R_2", "rightHand"},
+                                                         {"leg.L_0", "leftUpperLeg"},
+                                                         {"leg.L_1", "leftLowerLeg"},
+                                                         {"leg.L_2", "leftFoot"},
+                                                         {"leg.L_3", "leftToes"},
+                                                         {"leg.R_0", "rightUpperLeg"},
+                                                         {"leg.R_1", "rightLowerLeg"},
+                                                         {"leg.R_2", "rightFoot"},
+                                                         {"leg.R_3", "rightToes"}};
     EXPECT_EQ(names_of(human(), FLG_RIG_STANDARD_VRM), expected);
 }
 
@@ -73,8 +72,7 @@ TEST(Humanoid, LongSpinesNameTheFirstJointsAndTheLast) {
     std::vector<uint32_t> numbers(tall.at.size());
     for (uint32_t j = 0; j < tall.at.size(); ++j) {
         uint32_t parent = tall.parents[j] == FLG_NO_INDEX ? FLG_NO_INDEX : numbers[tall.parents[j]];
-        if (tall.names[j] == "spine_1")
-            parent = f.add_path("more", numbers[first], {{0, 1.28, 0}, {0, 1.36, 0}}, 0.15);
+        if (tall.names[j] == "spine_1") parent = f.add_path("more", numbers[first], {{0, 1.28, 0}, {0, 1.36, 0}}, 0.15);
         numbers[j] = f.add(tall.names[j], tall.at[j], parent, tall.radii[j]);
     }
     auto names = names_of(f, FLG_RIG_STANDARD_UNITY);
@@ -134,7 +132,8 @@ TEST(Humanoid, InATPoseArmsAreLevelAndTheRestStays) {
     EXPECT_TRUE(posed("leg.L_3").isApprox(rig.figure.at[rig.figure.find("leg.L_3")], 1e-6));
     // A palm that faces the hips of a hanging arm faces down: what pointed inwards at right angles to it does.
     const Quaternion hand = motions[rig.figure.find("arm.L_2")].rotation;
-    const Vec3 bone = (rig.figure.at[rig.figure.find("arm.L_3")] - rig.figure.at[rig.figure.find("arm.L_2")]).normalized();
+    const Vec3 bone =
+        (rig.figure.at[rig.figure.find("arm.L_3")] - rig.figure.at[rig.figure.find("arm.L_2")]).normalized();
     const Vec3 palm = bone.cross(Vec3::UnitZ());
     EXPECT_NEAR((hand * palm).y(), -1, 1e-6) << (hand * palm).transpose();
 }

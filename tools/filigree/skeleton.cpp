@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // filigree skeleton: from contours to bones.
-#include "command.h"
 #include "choices.h"
+#include "command.h"
 #include "documents/extensions.h"
 #include "documents/failure.h"
 #include "documents/rig_quality.h"
@@ -28,10 +28,8 @@ struct Options {
 
 const std::map<std::string, FlgRigStandard> standards = {
     {"vrm", FLG_RIG_STANDARD_VRM}, {"unity", FLG_RIG_STANDARD_UNITY}, {"unreal", FLG_RIG_STANDARD_UNREAL}};
-const std::map<std::string, SkinMotion> motions = {{"walk", SkinMotion::walk},
-                                                   {"idle", SkinMotion::idle},
-                                                   {"wave", SkinMotion::wave},
-                                                   {"swing", SkinMotion::swing}};
+const std::map<std::string, SkinMotion> motions = {
+    {"walk", SkinMotion::walk}, {"idle", SkinMotion::idle}, {"wave", SkinMotion::wave}, {"swing", SkinMotion::swing}};
 
 ModelDrawing read_drawing(const Options& options, Session& session, Report& report) {
     ModelDrawing drawing;

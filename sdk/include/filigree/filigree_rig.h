@@ -137,8 +137,8 @@ typedef enum FlgRigMotion {
  *   out_rotations    4 per joint, as FlgSkinAnimation
  *   out_translation  3: of all roots, metres
  *   out_travel       3, or null: how far the model walks in a cycle, metres: move it so, and standing feet stay
- * Standing feet slide by less than 0.02 of the way of a cycle. FLG_ERROR_INVALID_ARGUMENT if the rig has no limbs for
- * the motion; the message names them. Cost: 1 us a joint; takes no memory. */
+ * Standing feet slide by less than 0.0001 of the way of a cycle, if legs reach as far. FLG_ERROR_INVALID_ARGUMENT if the
+ * rig has no limbs for the motion; the message names them. Cost: 1 us a joint; takes no memory. */
 FLG_API FlgResult flgRigMotionSample(const FlgRig* rig, FlgRigMotion motion, float phase, float* out_rotations,
                                      float* out_translation, float* out_travel);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <cstring>
 #include <string_view>
 
 #include "io/base/entry_point.h"
@@ -282,10 +281,10 @@ void check_name(const char* name, const String& place) {
 namespace {
 
 // Those that VRM 1.0 asks for.
-constexpr const char* vrm_bones_needed[] = {
-    "hips",         "spine",         "head",          "leftUpperLeg", "leftLowerLeg",
-    "leftFoot",     "rightUpperLeg", "rightLowerLeg", "rightFoot",    "leftUpperArm",
-    "leftLowerArm", "leftHand",      "rightUpperArm", "rightLowerArm", "rightHand"};
+constexpr const char* vrm_bones_needed[] = {"hips",          "spine",         "head",          "leftUpperLeg",
+                                            "leftLowerLeg",  "leftFoot",      "rightUpperLeg", "rightLowerLeg",
+                                            "rightFoot",     "leftUpperArm",  "leftLowerArm",  "leftHand",
+                                            "rightUpperArm", "rightLowerArm", "rightHand"};
 
 }  // namespace
 

@@ -448,7 +448,8 @@ private:
         String json = "{\"name\":" + json_text(name) + ",\"translation\":[" + json_number(static_cast<float>(t.x)) +
                       "," + json_number(static_cast<float>(t.y)) + "," + json_number(static_cast<float>(t.z)) + "]";
         if (!children.empty()) json += ",\"children\":[" + children + "]";
-        if (checked_.rig()) json += ",\"extras\":" + json_rig_joint(checked_.rig()->joints[joint], skin_.joint_positions + 3 * joint);
+        if (checked_.rig())
+            json += ",\"extras\":" + json_rig_joint(checked_.rig()->joints[joint], skin_.joint_positions + 3 * joint);
         return json + "}";
     }
 
