@@ -84,6 +84,7 @@ public:
             lowered = lowering(stride);
             if (lowered <= lowest_hips * shortest) break;
         }
+        lowered = std::min(lowered, lowest_hips * shortest);  // where no stride is short enough
         const double standing = pairs_ == 1 ? standing_of_two : standing_of_more;
         pose_.travel = 2 * stride / standing * rig_.forward;
         const double cycle = turn * phase_;
@@ -281,7 +282,9 @@ private:
         const double angle =
             solve_turn(reach.a, reach.b, (goal.squaredNorm() - reach.constant) / 2, reach.low, reach.high);
         const Quaternion knee = turned(reach.axis, angle);
-        const Quaternion at_hip = Quaternion::FromTwoVectors(reach.upper + knee * reach.lower, goal);
+        const Vec3 bent = reach.upper + knee * reach.lower;
+        if (bent.norm() == 0 || goal.norm() == 0) return;
+        const Quaternion at_hip = Quaternion::FromTwoVectors(bent, goal);
         set(leg.upper, at_hip);
         set(leg.middle, knee);
         // Feet stay level.
@@ -317,8 +320,8 @@ private:
             set(j, turned(rig_.up, by * std::sin(cycle - tail_later * rig_.joint(j).index)));
     }
 
-    // The upper arm goes up and aside, and the shoulder turns so that the elbow can lift the forearm. Where it can't turn
-    // as far the arm is straight and waves as a whole.
+    // The upper arm goes up and aside, and the shoulder turns so that the elbow can lift the forearm. Where it can't
+    // turn as far the arm is straight and waves as a whole.
     void wave_arm(uint32_t first, uint32_t upper, double raised, double swing) {
         const uint32_t middle = rig_.find(first, FLG_LIMB_PLACE_MIDDLE), end = rig_.find(first, FLG_LIMB_PLACE_END);
         const auto aside = [&](double rise) { return (rise * rig_.up - rig_.left).normalized(); };

@@ -2,12 +2,12 @@
 // Test motions by limbs: poses at phases of a cycle, from nothing but the rig. Each pose is made anew and takes no
 // memory.
 //
-// Walk. Feet follow a path: while they stand, straight back at an even speed; then up and to the front, smoothly joined.
-// A leg reaches its foot's place by its hinge, which sets the distance of its end from the hip, and by the shortest turn
-// of the hip. So that legs reach, hips are lowered; what is left to reach shortens the stride. Legs without a hinge
-// swing: their feet go the same way, and the body rises and falls with them.
-// Two legs take turns; four step hind left, front left, hind right, front right (a walk, Muybridge 1887); more alternate
-// in two sets, as insects' tripods.
+// Walk. Feet follow a path: while they stand, straight back at an even speed; then up and to the front, smoothly
+// joined. A leg reaches its foot's place by its hinge, which sets the distance of its end from the hip, and by the
+// shortest turn of the hip. So that legs reach, hips are lowered; where that is not enough strides become shorter. Legs
+// without a hinge swing: their feet go the same way, and the body rises and falls with them.
+// Two legs take turns; four step hind left, front left, hind right, front right; more alternate in two sets, as an
+// insect's.
 #pragma once
 
 #include "rigs/rig.h"

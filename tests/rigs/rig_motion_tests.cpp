@@ -126,6 +126,25 @@ TEST(RigMotions, IdleStandsAndWaveLiftsTheRightHand) {
     EXPECT_GT(highest, 1.6);  // above the shoulder by more than the forearm
 }
 
+TEST(RigMotions, LegsThatCannotStepGiveNumbersAllTheSame) {
+    // Without a length, and lying flat.
+    for (const Vec3& foot : {Vec3(0.3, 0, 0), Vec3(1, 0, 0)}) {
+        Figure f;
+        f.add_pair("leg", f.add("root", {0, 0.1, 0}, FLG_NO_INDEX, 0.01),
+                   {{0.3, 0, 0}, (foot + Vec3(0.3, 0, 0)) / 2, foot}, 0.01);
+        const FigureRig rig(f);
+        EXPECT_EQ(rig.rig().view.leg_count, 2u);
+        for (uint32_t i = 0; i < 10; ++i) {
+            const Sampled pose = sampled(rig, FLG_RIG_MOTION_WALK, 0.1 * i);
+            EXPECT_TRUE(pose.translation.allFinite());
+            for (size_t j = 0; j < rig.joints.size(); ++j) {
+                const float* q = pose.rotations.data() + 4 * j;
+                EXPECT_NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1, 1e-5f);
+            }
+        }
+    }
+}
+
 TEST(RigMotions, WhatHasNoLegsDoesNotWalk) {
     Figure worm;
     worm.add_path("worm", worm.add("root", {0, 0, 0}, FLG_NO_INDEX), {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
