@@ -13,6 +13,7 @@ constexpr double deep_within = 0.5;                   // share of a radius
 constexpr double short_end = 0.2;                     // share of the limb that a hand or foot is
 constexpr double thinnest = 0.5;                      // share of a bone's larger radius that its capsule has at least
 constexpr double bent_knee = 0.15, bent_elbow = 0.3;  // radians at rest that say how a hinge turns
+constexpr double folded = 3.1;                        // radians from which a limb's bones say no plane
 constexpr double sideways = 0.5;                      // cosine between a leg and the left from which it lies to a side
 constexpr double furthest_bend = 2.4;                 // radians of a hinge from straight
 constexpr double least_bend = 0.3;  // radians that a hinge may bend further, however it is bent at rest
@@ -117,17 +118,14 @@ private:
         store_vec3(from, joint.capsule_start);
         store_vec3(from, joint.capsule_end);
         if (joint.next == FLG_NO_INDEX) return;
-        const Vec3 way = skeleton_.at[joint.next] - from;
+        const Vec3& to = skeleton_.at[joint.next];
         const double here = skeleton_.radii[j], there = skeleton_.radii[joint.next];
         const double radius = std::max(std::min(here, there), thinnest * std::max(here, there));
-        // Between the balls the hull's radius changes evenly, at least.
-        const double reaches = here == there ? 1 : std::clamp((radius - here) / (there - here), 0.0, 1.0);
         joint.capsule_radius = static_cast<float>(radius);
-        if (there < here) store_vec3(from + reaches * way, joint.capsule_end);
-        if (there >= here) {
-            store_vec3(from + (there > here ? reaches : 0) * way, joint.capsule_start);
-            store_vec3(skeleton_.at[joint.next], joint.capsule_end);
-        }
+        // Along the bone the hull is at least as thick as the mean of its balls' radii: so it is, here.
+        const double share = here == there ? 0 : std::clamp((radius - here) / (there - here), 0.0, 1.0);
+        store_vec3(there < here ? from : Vec3(from + share * (to - from)), joint.capsule_start);
+        store_vec3(there < here ? Vec3(from + share * (to - from)) : to, joint.capsule_end);
     }
 
     void set_hinge(uint32_t first) {
@@ -145,7 +143,7 @@ private:
         const Vec3 normal = before.cross(after);
         const double bend = std::atan2(normal.norm(), before.dot(after));
         Vec3 axis;
-        if (!is_leg && bend > bent_elbow) {
+        if (!is_leg && bend > bent_elbow && bend < folded) {
             axis = normal.normalized();
         } else if (is_leg) {
             const bool lies = std::abs(along.dot(frame_.left)) > sideways;

@@ -93,6 +93,16 @@ TEST(Limits, KneesBendBackAndElbowsForward) {
     EXPECT_LT(bent(FigureRig(spider(4), Vec3::UnitX()), "leg0.L_1").x(), -0.2);  // towards the body
 }
 
+TEST(Limits, FoldedArmsHaveAnAxis) {
+    Figure folded = human();
+    for (const char* side : {"L", "R"}) {
+        const std::string arm = std::string("arm.") + side + "_";
+        folded.at[folded.find(arm + "2")] = folded.at[folded.find(arm + "0")];
+        folded.at[folded.find(arm + "3")] = folded.at[folded.find(arm + "1")];
+    }
+    for (const FlgRigJoint& joint : FigureRig(folded).joints) EXPECT_NEAR(load_vec3(joint.limit_axis).norm(), 1, 1e-6);
+}
+
 TEST(Limits, HingesGoBackUntilTheyAreStraight) {
     const FigureRig animal(quadruped(), Vec3::UnitX());
     const FlgRigJoint& knee = animal.joint("hind.L_1");

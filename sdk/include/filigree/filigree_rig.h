@@ -98,8 +98,8 @@ FLG_API FlgResult flgRigInit(FlgRig* rig, uint32_t struct_size);
  *   out_rig     refers to out_joints and the descriptor's arrays
  * Legs reach down to the ground and lie beside the middle; seen from the side, they hang. Arms are the longest pair of
  * mirrored limbs that is left, near the trunk; the head is the thickest and highest limb in the middle, the tail the
- * longest of the others. Cost: 1 us a joint, and the square of the number of tips; takes 200 bytes a joint of the C++
- * runtime's memory for the call. */
+ * longest of the others. Cost: 0.2 us a joint and 20 ns for two tips: 5 ms at most, for 1024 joints of which half are
+ * tips. Takes 200 bytes a joint of the C++ runtime's memory for the call. */
 FLG_API FlgResult flgRigFind(const FlgRigFindDesc* desc, FlgRigJoint* out_joints, FlgRig* out_rig);
 
 /* Who names the bones of a humanoid. */
@@ -137,8 +137,8 @@ typedef enum FlgRigMotion {
  *   out_rotations    4 per joint, as FlgSkinAnimation
  *   out_translation  3: of all roots, metres
  *   out_travel       3, or null: how far the model walks in a cycle, metres: move it so, and standing feet stay
- * Standing feet slide by less than 0.0001 of the way of a cycle, if legs reach as far. FLG_ERROR_INVALID_ARGUMENT if the
- * rig has no limbs for the motion; the message names them. Cost: 1 us a joint; takes no memory. */
+ * Standing feet slide by less than 0.0001 of the way of a cycle, if legs reach as far. FLG_ERROR_INVALID_ARGUMENT if
+ * the rig has no limbs for the motion; the message names them. Cost: 0.3 us a joint; takes no memory. */
 FLG_API FlgResult flgRigMotionSample(const FlgRig* rig, FlgRigMotion motion, float phase, float* out_rotations,
                                      float* out_translation, float* out_travel);
 
