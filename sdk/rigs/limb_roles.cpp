@@ -125,7 +125,7 @@ private:
                 mirrored += std::any_of(tips_.begin(), tips_.end(), [&](uint32_t t) { return are_mirrored(tip, t); });
             if (mirrored < symmetric * static_cast<double>(tips_.size())) set_left(-frame_.left.cross(up));
         }
-        double widest = 0, low = INFINITY, high = -INFINITY;
+        double widest = 0, low = INFINITY, high = -double{INFINITY};
         for (uint32_t j = 0; j < count_; ++j) {
             if (!is_ours(j)) continue;
             widest = std::max(widest, std::abs(lateral_[j]));

@@ -55,7 +55,7 @@ TEST(RigMotions, StayWithinTheLimits) {
         const FigureRig rig(figure);
         for (const FlgRigMotion motion : {FLG_RIG_MOTION_WALK, FLG_RIG_MOTION_IDLE, FLG_RIG_MOTION_WAVE})
             for (uint32_t i = 0; i < steps; ++i) {
-                const Sampled pose = sampled(rig, motion, double{i} / steps);
+                const Sampled pose = sampled(rig, motion, static_cast<double>(i) / steps);
                 for (uint32_t j = 0; j < rig.joints.size(); ++j)
                     EXPECT_LE(beyond_limit(rig.joints[j], load_quaternion(pose.rotations.data() + 4 * j)), 1e-6)
                         << rig.figure.names[j] << " of " << figure.names[0] << " motion " << motion << " step " << i;
@@ -80,7 +80,7 @@ TEST(RigMotions, StandingFeetDoNotSlide) {
             uint32_t standing = 0;
             double lifted = 0;
             for (uint32_t i = 0; i < steps; ++i) {
-                const double phase = double{i} / steps;
+                const double phase = static_cast<double>(i) / steps;
                 const Vec3 here = foot_at(phase), later = foot_at(phase + 1.0 / steps);
                 standing += (later - here).norm() <= 1e-4 * travel.norm();
                 lifted = std::max(lifted, here.y() - rig.figure.at[j].y());
@@ -110,14 +110,14 @@ TEST(RigMotions, IdleStandsAndWaveLiftsTheRightHand) {
     const FigureRig person(human());
     double lowest = 1e9, highest = -1e9;
     for (uint32_t i = 0; i < steps; ++i) {
-        const Sampled idle = sampled(person, FLG_RIG_MOTION_IDLE, double{i} / steps);
+        const Sampled idle = sampled(person, FLG_RIG_MOTION_IDLE, static_cast<double>(i) / steps);
         for (const char* name : {"leg.L_2", "leg.R_3", "hips"}) {
             const uint32_t j = person.figure.find(name);
             const Vec3 at = idle.motions[j].rotation * person.figure.at[j] + idle.motions[j].translation;
             EXPECT_LT((at - person.figure.at[j]).norm(), 1e-6) << name;
         }
         const uint32_t hand = person.figure.find("arm.R_2");
-        const Sampled wave = sampled(person, FLG_RIG_MOTION_WAVE, double{i} / steps);
+        const Sampled wave = sampled(person, FLG_RIG_MOTION_WAVE, static_cast<double>(i) / steps);
         const Vec3 at = wave.motions[hand].rotation * person.figure.at[hand] + wave.motions[hand].translation;
         lowest = std::min(lowest, at.y());
         highest = std::max(highest, at.y());
