@@ -110,15 +110,15 @@ TEST(SkinRigs, WhatIsNotWritten) {
         EXPECT_NE(std::string(flgIoErrorGetMessage()).find(words), std::string::npos) << flgIoErrorGetMessage();
         EXPECT_EQ(folder.entries(), 0u);
     };
-    refused([](Avatar& a) { a.rig.joint_count = 1; }, "desc.rig.joint_count is 1");
-    refused([](Avatar& a) { a.rig.joints = nullptr; }, "desc.rig.joints is null");
+    refused([](Avatar& a) { a.rig.joint_count = 1; }, "desc.rig.joint_count: is 1");
+    refused([](Avatar& a) { a.rig.joints = nullptr; }, "desc.rig.joints: is null");
     refused([](Avatar& a) { a.joints[2].capsule_end[1] = NAN; }, "desc.rig.joints[2].capsule_end");
-    refused([](Avatar& a) { a.vrm.author_count = 0; }, "desc.vrm.author_count is 0");
-    refused([](Avatar& a) { a.vrm.authors = nullptr; }, "desc.vrm.authors is null");
-    refused([](Avatar& a) { a.authors[1] = nullptr; }, "desc.vrm.authors[1] is null");
-    refused([](Avatar& a) { a.vrm.bones = nullptr; }, "desc.vrm.bones is null");
-    refused([](Avatar& a) { a.bones[4] = nullptr; }, "desc.vrm.bones has no leftLowerLeg");
-    refused([](Avatar& a) { a.bones[15] = "hips"; }, "desc.vrm.bones has two joints that are hips");
+    refused([](Avatar& a) { a.vrm.author_count = 0; }, "desc.vrm.author_count: is 0");
+    refused([](Avatar& a) { a.vrm.authors = nullptr; }, "desc.vrm.authors: is null");
+    refused([](Avatar& a) { a.authors[1] = nullptr; }, "desc.vrm.authors[1]: is null");
+    refused([](Avatar& a) { a.vrm.bones = nullptr; }, "desc.vrm.bones: is null");
+    refused([](Avatar& a) { a.bones[4] = nullptr; }, "desc.vrm.bones: has no leftLowerLeg");
+    refused([](Avatar& a) { a.bones[15] = "hips"; }, "desc.vrm.bones: has two joints that are hips");
 }
 
 }  // namespace
