@@ -28,6 +28,8 @@ public:
     // `left` is the drawing's mirror, if parts are mirrored. Throws InputError about `subject`.
     ModelRig(const float* positions, const FlgModelView& model, const std::array<float, 3>& left,
              const std::string& subject);
+    ModelRig(const ModelRig&) = delete;
+    ModelRig& operator=(const ModelRig&) = delete;
 
     const FlgRig& rig() const { return rig_; }
 

@@ -153,11 +153,12 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
     check(flgModelGetView(session.context(), model, &view), options.contours[0]);
     report.counts["parts"] = view.part_count;
     report.counts["joints"] = view.joint_count;
-    std::optional<ModelRig> rig;
-    if (view.joint_count <= FLG_RIG_MAX_JOINTS)
-        rig.emplace(view.joint_positions, view, left_of(drawing), options.contours[0]);
-    if (!options.bones.empty())
+    if (!options.bones.empty()) {
+        std::optional<ModelRig> rig;
+        if (view.joint_count <= FLG_RIG_MAX_JOINTS)
+            rig.emplace(view.joint_positions, view, left_of(drawing), options.contours[0]);
         write_text_file(options.bones, bones_json(view, rig ? &rig->rig() : nullptr).dump(1) + "\n");
+    }
     if (!options.output.empty()) write_skin(options, session, drawing, model, view, !common.report.empty(), report);
     report.write();
 }
