@@ -2,6 +2,9 @@
 // Rigs: skeletons, and what hosts say of them, are checked at the door. No context: nothing is kept.
 #include "filigree/filigree_rig.h"
 
+#include <array>
+#include <cstddef>
+#include <memory_resource>
 #include <vector>
 
 #include "api/descriptors.h"
@@ -15,6 +18,7 @@ namespace flg {
 namespace {
 
 constexpr float most_radians = 3.15f;
+constexpr size_t bytes_on_stack = 16384;
 
 FlgRigFindDesc default_rig_find_desc() {
     auto desc = sized<FlgRigFindDesc>();
@@ -132,12 +136,14 @@ FlgResult flgRigFind(const FlgRigFindDesc* desc, FlgRigJoint* out_joints, FlgRig
         require(out_joints, "out_joints");
         check_struct_size<FlgRig>(require(out_rig, "out_rig").struct_size, "out_rig");
 
-        std::vector<Vec3> at(read.joint_count);
-        std::vector<double> radii(read.joint_radii, read.joint_radii + read.joint_count);
+        alignas(std::max_align_t) std::array<std::byte, bytes_on_stack> near;
+        std::pmr::monotonic_buffer_resource room(near.data(), near.size(), std::pmr::new_delete_resource());
+        std::pmr::vector<Vec3> at(read.joint_count, &room);
+        std::pmr::vector<double> radii(read.joint_radii, read.joint_radii + read.joint_count, &room);
         for (size_t j = 0; j < at.size(); ++j) at[j] = load_vec3(read.joint_positions + 3 * j);
-        std::vector<FlgRigJoint> joints(read.joint_count);
+        std::pmr::vector<FlgRigJoint> joints(read.joint_count, &room);
         const RigSkeleton skeleton{at, radii, {read.joint_parents, read.joint_count}};
-        const RigFrame frame = find_limbs(skeleton, up, left, joints, std::pmr::new_delete_resource());
+        const RigFrame frame = find_limbs(skeleton, up, left, joints, &room);
         set_limits(skeleton, frame, joints);
 
         auto rig = sized<FlgRig>();

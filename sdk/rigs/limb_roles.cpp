@@ -50,7 +50,8 @@ public:
           along_(count_, 0, memory),
           height_(count_, 0, memory),
           is_trunk_(count_, 0, memory),
-          is_taken_(count_, 0, memory) {}
+          is_taken_(count_, 0, memory),
+          is_within_(count_, 0, memory) {}
 
     RigFrame find(const Vec3& up, const Vec3& left) {
         link();
@@ -346,13 +347,12 @@ private:
     struct Sums {
         double lateral = 0, along = 0, height = 0, count = 0;
     };
-    Sums mean_of(uint32_t first) const {
+    Sums mean_of(uint32_t first) {
         Sums sums;
-        std::pmr::vector<uint8_t> within(count_, 0, tips_.get_allocator());
-        within[first] = 1;
+        std::fill(is_within_.begin(), is_within_.end(), uint8_t{0});
         for (uint32_t j = first; j < count_; ++j) {
-            if (j != first && (skeleton_.parents[j] == nothing || !within[skeleton_.parents[j]])) continue;
-            within[j] = 1;
+            if (j != first && (skeleton_.parents[j] == nothing || !is_within_[skeleton_.parents[j]])) continue;
+            is_within_[j] = 1;
             sums.lateral += lateral_[j];
             sums.along += along_[j];
             sums.height += height_[j];
@@ -479,7 +479,7 @@ private:
     std::pmr::vector<uint32_t> first_child_, sibling_, root_of_, feet_, tips_;
     std::pmr::vector<double> reach_, foot_depth_, bulk_;  // below a joint: longest way, to a foot, sum of cubed radii
     std::pmr::vector<double> lateral_, along_, height_;
-    std::pmr::vector<uint8_t> is_trunk_, is_taken_;
+    std::pmr::vector<uint8_t> is_trunk_, is_taken_, is_within_;
     RigFrame frame_{};
     uint32_t root_ = 0, leg_count_ = 0, chest_ = nothing;
     uint32_t hands_[2] = {nothing, nothing};

@@ -4867,7 +4867,7 @@ inline Result<bool> indices_write(Span<const uint32_t> indices, const BufferOutp
 /// Legs reach down to the ground and lie beside the middle; seen from the side, they hang. Arms are the longest
 /// pair of mirrored limbs that is left, near the trunk; the head is the thickest and highest limb in the middle,
 /// the tail the longest of the others. Cost: 0.2 us a joint and 20 ns for two tips: 5 ms at most, for 1024 joints
-/// of which half are tips. Takes 200 bytes a joint of the C++ runtime's memory for the call.
+/// of which half are tips. Takes no memory for up to 64 joints, else up to 500 bytes a joint of the C++ runtime's.
 /// Calls flgRigFind.
 inline Result<Rig> rig_find(const RigFindDesc& desc, FlgRigJoint* out_joints) {
     FlgRig out_rig;

@@ -99,7 +99,7 @@ FLG_API FlgResult flgRigInit(FlgRig* rig, uint32_t struct_size);
  * Legs reach down to the ground and lie beside the middle; seen from the side, they hang. Arms are the longest pair of
  * mirrored limbs that is left, near the trunk; the head is the thickest and highest limb in the middle, the tail the
  * longest of the others. Cost: 0.2 us a joint and 20 ns for two tips: 5 ms at most, for 1024 joints of which half are
- * tips. Takes 200 bytes a joint of the C++ runtime's memory for the call. */
+ * tips. Takes no memory for up to 64 joints, else up to 500 bytes a joint of the C++ runtime's. */
 FLG_API FlgResult flgRigFind(const FlgRigFindDesc* desc, FlgRigJoint* out_joints, FlgRig* out_rig);
 
 /* Who names the bones of a humanoid. */
