@@ -5,6 +5,7 @@
 #include <bitset>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/failure.h"
 #include "rigs/joint_limits.h"
@@ -42,6 +43,8 @@ double smooth_step(double x) {
     return x * x * (3 - 2 * x);
 }
 
+constexpr double error_counts = 1e6;  // radians for an error as large as what is turned
+
 // The turn by an angle between two about an axis at which `a cos + b sin` is `value`, or next to it: the one nearest to
 // none.
 double solve_turn(double a, double b, double value, double low, double high) {
@@ -52,7 +55,7 @@ double solve_turn(double a, double b, double value, double low, double high) {
     for (const double side : {-1, 1}) {
         const double found = std::remainder(middle + side * aside, turn), angle = std::clamp(found, low, high);
         const double error = std::abs(a * std::cos(angle) + b * std::sin(angle) - value);
-        const double cost = error / size * 1e6 + std::abs(angle);
+        const double cost = error / size * error_counts + std::abs(angle);
         if (cost >= least) continue;
         least = cost;
         best = angle;
@@ -125,26 +128,17 @@ public:
         const double swing = raised * std::sin(turn * waves * phase_);
         const uint32_t arm = rig_.first(FLG_LIMB_ARM, -1);
         const uint32_t upper = arm == none ? none : rig_.find(arm, FLG_LIMB_PLACE_UPPER);
-        if (upper != none) {
+        if (upper != none && rig_.find(arm, FLG_LIMB_PLACE_END) != none) {
             rest();
             return wave_arm(arm, upper, raised, swing);
         }
-        uint32_t paw = none;
-        for (uint32_t j = 0; j < rig_.count() && paw == none; ++j)
-            if (rig_.begins(j, FLG_LIMB_LEG) && rig_.joint(j).pair == 0 && rig_.joint(j).side <= 0 && pairs_ > 1)
-                paw = rig_.find(j, FLG_LIMB_PLACE_UPPER);
-        if (paw == none)
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no wave: it has neither arms nor front legs to lift");
+        std::optional<Leg> paw;
+        each_leg([&](const Leg& leg) {
+            if (!paw && leg.pair == 0 && leg.side <= 0 && pairs_ > 1) paw = leg;
+        });
+        if (!paw) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no wave: it has neither arms nor front legs to lift");
         rest();
-        const uint32_t middle = rig_.find(paw, FLG_LIMB_PLACE_MIDDLE), end = rig_.find(paw, FLG_LIMB_PLACE_END);
-        const Vec3 way = rig_.direction(paw, end);
-        // What hangs goes to the front, what lies beside the body up; then both swing aside.
-        const bool hangs = std::abs(way.dot(rig_.up)) > std::abs(way.dot(rig_.left));
-        const Vec3 &to = hangs ? rig_.forward : rig_.up, &about = hangs ? rig_.left : rig_.forward;
-        const Vec3 lift = way.cross(to);
-        const Vec3 axis = lift.norm() > 0 ? lift.normalized() : about;
-        set(paw, turned(axis, paw_lift * raised) * turned(to, paw_swing * swing));
-        if (middle != none) bend(middle, paw_bend * raised);
+        wave_paw(*paw, raised, swing);
     }
 
 private:
@@ -153,6 +147,17 @@ private:
         uint32_t pair;
         int32_t side;
     };
+
+    void wave_paw(const Leg& leg, double raised, double swing) {
+        const Vec3 way = rig_.direction(leg.upper, leg.end);
+        // What hangs goes to the front, what lies beside the body up; then both swing aside.
+        const bool hangs = std::abs(way.dot(rig_.up)) > std::abs(way.dot(rig_.left));
+        const Vec3 &to = hangs ? rig_.forward : rig_.up, &about = hangs ? rig_.left : rig_.forward;
+        const Vec3 lift = way.cross(to);
+        const Vec3 axis = lift.norm() > 0 ? lift.normalized() : about;
+        set(leg.upper, turned(axis, paw_lift * raised) * turned(to, paw_swing * swing));
+        if (leg.middle != none) bend(leg.middle, paw_bend * raised);
+    }
 
     template <class Visit>
     void each_leg(Visit visit) {

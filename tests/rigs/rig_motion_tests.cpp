@@ -145,6 +145,14 @@ TEST(RigMotions, LegsThatCannotStepGiveNumbersAllTheSame) {
     }
 }
 
+TEST(RigMotions, LimbsWithoutAnEndAreNone) {
+    FigureRig rig(human());
+    for (FlgRigJoint& joint : rig.joints)
+        if (joint.place == FLG_LIMB_PLACE_END) joint.place = FLG_LIMB_PLACE_NONE;
+    EXPECT_THROW(sampled(rig, FLG_RIG_MOTION_WALK, 0.2), Failure);
+    EXPECT_THROW(sampled(rig, FLG_RIG_MOTION_WAVE, 0.2), Failure);
+}
+
 TEST(RigMotions, WhatHasNoLegsDoesNotWalk) {
     Figure worm;
     worm.add_path("worm", worm.add("root", {0, 0, 0}, FLG_NO_INDEX), {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
