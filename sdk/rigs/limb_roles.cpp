@@ -268,8 +268,9 @@ private:
         std::pmr::vector<uint32_t> firsts(tips_.get_allocator());
         for (uint32_t a = 0; a < legs.size(); ++a)
             if (legs[a].twin == nothing || a < legs[a].twin) firsts.push_back(a);
-        std::stable_sort(firsts.begin(), firsts.end(),
-                         [&](uint32_t a, uint32_t b) { return legs[a].along > legs[b].along; });
+        std::sort(firsts.begin(), firsts.end(), [&](uint32_t a, uint32_t b) {
+            return legs[a].along != legs[b].along ? legs[a].along > legs[b].along : a < b;
+        });
         for (uint32_t pair = 0; pair < firsts.size(); ++pair) {
             const Leg& leg = legs[firsts[pair]];
             const auto next = [&](uint32_t j) { return next_to_foot(j); };
