@@ -61,9 +61,9 @@ const std::map<std::string, Rooms> allowed_within = {
     {"io/tangle", {"base"}},
     {"io/", {"base", "gltf", "text", "tilt", "svg"}},
 };
-const Rooms rooms = {"filigree", "core",        "brush",    "runtime", "buffers",   "linear",
-                     "curves",   "stylization", "surfaces", "splines", "skeletons", "inflation",
-                     "bones",    "rigs",        "tangles",  "api",     "io",        "pick",      "filigree_renderer"};
+const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "buffers",          "linear", "curves",
+                     "stylization", "surfaces", "splines", "skeletons", "inflation",        "bones",  "rigs",
+                     "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();
