@@ -7,7 +7,8 @@
 //
 // Hinges. A knee turns about the left, an elbow about what turns the arm to the front. Where they are bent at rest,
 // this says which way; an arm that is bent enough says about what, too. Legs that lie to a side bend up and down.
-// Hinges go back until they are straight. Formulas are built from directions that mirror with the limb, so limits do too.
+// Hinges go back until they are straight. Formulas are built from directions that mirror with the limb, so limits do
+// too.
 #pragma once
 
 #include "bones/skin_pose.h"

@@ -1285,7 +1285,8 @@ struct Rig {
     /// The bones of a humanoid, by the names of a standard.
     ///   out_names  one per joint: a name that lives as long as the library; null: the joint is none of the standard's
     /// Needs two arms and two legs of at least three joints each, a head, and a joint of the spine between hips and
-    /// arms. FLG_ERROR_INVALID_ARGUMENT if one is missing; the message says "no humanoid" and which.
+    /// arms. FLG_ERROR_INVALID_ARGUMENT if one is missing; the message says "no humanoid" and which. Cost: 0.1 us a
+    /// joint.
     /// Calls flgRigGetNames.
     Result<bool> names(FlgRigStandard standard, const char** out_names) const {
         const FlgResult result = flgRigGetNames(&c_, standard, out_names);
@@ -1296,7 +1297,7 @@ struct Rig {
     /// shortest way, so that palms which face the body at rest face down. Legs stay. Take them for flgSkinPose: a skin
     /// that is deformed so, with its joints where they are then, is at rest in the T-pose.
     ///   out_rotations  4 per joint, as FlgSkinAnimation
-    /// FLG_ERROR_INVALID_ARGUMENT without two arms.
+    /// FLG_ERROR_INVALID_ARGUMENT without two arms. Cost: 0.1 us a joint.
     /// Calls flgRigGetTPose.
     Result<bool> tpose(float* out_rotations) const {
         const FlgResult result = flgRigGetTPose(&c_, out_rotations);

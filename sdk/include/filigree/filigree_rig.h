@@ -113,14 +113,14 @@ typedef enum FlgRigStandard {
 /* The bones of a humanoid, by the names of a standard.
  *   out_names  one per joint: a name that lives as long as the library; null: the joint is none of the standard's
  * Needs two arms and two legs of at least three joints each, a head, and a joint of the spine between hips and arms.
- * FLG_ERROR_INVALID_ARGUMENT if one is missing; the message says "no humanoid" and which. */
+ * FLG_ERROR_INVALID_ARGUMENT if one is missing; the message says "no humanoid" and which. Cost: 0.1 us a joint. */
 FLG_API FlgResult flgRigGetNames(const FlgRig* rig, FlgRigStandard standard, const char** out_names);
 
 /* The rotations that bring a humanoid from rest to a T-pose: each arm straight and level to its side, turned the
  * shortest way, so that palms which face the body at rest face down. Legs stay. Take them for flgSkinPose: a skin that
  * is deformed so, with its joints where they are then, is at rest in the T-pose.
  *   out_rotations  4 per joint, as FlgSkinAnimation
- * FLG_ERROR_INVALID_ARGUMENT without two arms. */
+ * FLG_ERROR_INVALID_ARGUMENT without two arms. Cost: 0.1 us a joint. */
 FLG_API FlgResult flgRigGetTPose(const FlgRig* rig, float* out_rotations);
 
 /* Motions that show whether a model moves well. */

@@ -347,7 +347,7 @@ void CheckedSkin::check_vrm() {
     std::sort(bones.begin(), bones.end());
     const auto twice = std::adjacent_find(bones.begin(), bones.end());
     if (twice != bones.end())
-        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.vrm.bones", "has two joints that are %s", twice->data());
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.vrm.bones", "has two joints that are %s", String(*twice).c_str());
     for (const char* needed : vrm_bones_needed) {
         if (std::binary_search(bones.begin(), bones.end(), std::string_view(needed))) continue;
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.vrm.bones", "has no %s, which VRM asks for", needed);

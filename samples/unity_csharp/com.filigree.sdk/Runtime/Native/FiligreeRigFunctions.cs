@@ -40,7 +40,8 @@ namespace Filigree
         ///   out_names  one per joint: a name that lives as long as the library; null: the joint is none of the
         ///   standard's
         /// Needs two arms and two legs of at least three joints each, a head, and a joint of the spine between hips and
-        /// arms. FlgResult.ErrorInvalidArgument if one is missing; the message says "no humanoid" and which.
+        /// arms. FlgResult.ErrorInvalidArgument if one is missing; the message says "no humanoid" and which. Cost: 0.1
+        /// us a joint.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgRigGetNames(FlgRig* rig, FlgRigStandard standard, byte** out_names);
@@ -50,7 +51,7 @@ namespace Filigree
         /// the shortest way, so that palms which face the body at rest face down. Legs stay. Take them for flgSkinPose:
         /// a skin that is deformed so, with its joints where they are then, is at rest in the T-pose.
         ///   out_rotations  4 per joint, as FlgSkinAnimation
-        /// FlgResult.ErrorInvalidArgument without two arms.
+        /// FlgResult.ErrorInvalidArgument without two arms. Cost: 0.1 us a joint.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgRigGetTPose(FlgRig* rig, float* out_rotations);
