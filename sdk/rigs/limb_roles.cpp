@@ -244,7 +244,6 @@ private:
     struct Leg {
         uint32_t first, foot, twin = nothing;
         double along;
-        bool is_paired = false;
     };
 
     uint32_t next_to_foot(uint32_t j) const {
