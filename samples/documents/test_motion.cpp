@@ -15,10 +15,11 @@ constexpr double later_by = 0.5;  // radians of the cycle, from joint to joint
 
 FlgSkinAnimation TestMotion::animation() const {
     FlgSkinAnimation out = flgSkinAnimationDefaults();
-    out.name = "test";
+    out.name = name;
     out.key_count = static_cast<uint32_t>(times.size());
     out.times = times.data();
     out.rotations = rotations.data();
+    if (!translations.empty()) out.translations = translations.data();
     return out;
 }
 

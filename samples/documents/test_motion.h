@@ -10,7 +10,8 @@
 namespace flg::cli {
 
 struct TestMotion {
-    std::vector<float> times, rotations;  // as FlgSkinAnimation has them
+    const char* name = "test";
+    std::vector<float> times, rotations, translations;  // as FlgSkinAnimation has them; no translations: none
 
     FlgSkinAnimation animation() const;
 };

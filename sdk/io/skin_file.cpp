@@ -122,6 +122,10 @@ FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint32_t struct_size) {
     return init("flgSkinFileInfoInit", info, struct_size, sized<FlgSkinFileInfo>(), "info");
 }
 
+FlgResult flgVrmInit(FlgVrm* vrm, uint32_t struct_size) {
+    return init("flgVrmInit", vrm, struct_size, sized<FlgVrm>(), "vrm");
+}
+
 FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size) {
     return init("flgSkinFileWriteDescInit", desc, struct_size, sized<FlgSkinFileWriteDesc>());
 }

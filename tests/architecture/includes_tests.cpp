@@ -29,10 +29,11 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/skeletons", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/inflation", {"filigree", "core", "runtime", "linear", "skeletons"}},
     {"sdk/bones", {"filigree", "core", "runtime", "curves", "surfaces", "skeletons", "inflation"}},
+    {"sdk/rigs", {"filigree", "core", "bones"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/api",
      {"filigree", "core", "brush", "runtime", "buffers", "curves", "stylization", "surfaces", "splines", "skeletons",
-      "inflation", "bones", "tangles"}},
+      "inflation", "bones", "rigs", "tangles"}},
     {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
@@ -60,9 +61,9 @@ const std::map<std::string, Rooms> allowed_within = {
     {"io/tangle", {"base"}},
     {"io/", {"base", "gltf", "text", "tilt", "svg"}},
 };
-const Rooms rooms = {"filigree", "core",        "brush",    "runtime", "buffers",   "linear",
-                     "curves",   "stylization", "surfaces", "splines", "skeletons", "inflation",
-                     "bones",    "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
+const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "buffers",          "linear", "curves",
+                     "stylization", "surfaces", "splines", "skeletons", "inflation",        "bones",  "rigs",
+                     "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();

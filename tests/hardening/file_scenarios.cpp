@@ -167,6 +167,15 @@ void keep_skin_files(Calls& calls) {
     desc.material_count = 1;
     const FlgSkinFileReadDesc read_desc = FLG_INIT(calls, flgSkinFileReadDescInit);
     FLG_CALL(calls, flgSkinFileWrite, path.c_str(), &desc);
+    // As an avatar: too few bones.
+    FlgVrm vrm = FLG_INIT(calls, flgVrmInit);
+    const char* const author = "somebody";
+    vrm.authors = &author;
+    vrm.author_count = 1;
+    vrm.bones = names;
+    desc.vrm = &vrm;
+    EXPECT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_ERROR_INVALID_ARGUMENT);
+    desc.vrm = nullptr;
     Owned<FlgSkinFile> read(calls, flgSkinFileRelease, "flgSkinFileRelease");
     FLG_CALL(calls, flgSkinFileRead, path.c_str(), &read_desc, &read.file);
     FlgSkinView view = flgSkinViewDefaults();

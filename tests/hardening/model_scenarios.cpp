@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Straight skeletons, models of parts with their skins, outlines, poses.
 #include "filigree/filigree_model.h"
+#include "filigree/filigree_rig.h"
 #include "hardening/host_buffers.h"
 #include "hardening/scenarios.h"
 
@@ -159,6 +160,39 @@ void make_outlines(Calls& calls) {
     FLG_CALL(calls, flgOutlineRelease, calls.context, outline);
 }
 
+namespace {
+
+// A person of sticks: limbs, names, a T-pose, motions.
+void find_rigs(Calls& calls) {
+    const float positions[] = {0,    1,    0, 0,     1.4f, 0, 0,     1.7f, 0, 0.2f,  1.3f, 0, 0.5f,  1.2f, 0,
+                               0.7f, 1,    0, -0.2f, 1.3f, 0, -0.5f, 1.2f, 0, -0.7f, 1,    0, 0.1f,  0.9f, 0,
+                               0.1f, 0.5f, 0, 0.1f,  0,    0, -0.1f, 0.9f, 0, -0.1f, 0.5f, 0, -0.1f, 0,    0};
+    const uint32_t parents[] = {FLG_NO_INDEX, 0, 1, 1, 3, 4, 1, 6, 7, 0, 9, 10, 0, 12, 13};
+    constexpr uint32_t count = 15;
+    const std::vector<float> radii(count, 0.05f);
+    FlgRigFindDesc desc = FLG_INIT(calls, flgRigFindDescInit);
+    desc.joint_count = count;
+    desc.joint_positions = positions;
+    desc.joint_radii = radii.data();
+    desc.joint_parents = parents;
+    FlgRigJoint joints[count];
+    FlgRig rig = FLG_INIT(calls, flgRigInit);
+    FLG_CALL(calls, flgRigFind, &desc, joints, &rig);
+    calls.note(joints, sizeof joints);
+    const char* names[count];
+    FLG_CALL(calls, flgRigGetNames, &rig, FLG_RIG_STANDARD_VRM, names);
+    EXPECT_STREQ(names[0], "hips");
+    float rotations[4 * count], translation[3], travel[3];
+    FLG_CALL(calls, flgRigGetTPose, &rig, rotations);
+    calls.note(rotations, sizeof rotations);
+    for (const FlgRigMotion motion : {FLG_RIG_MOTION_WALK, FLG_RIG_MOTION_IDLE, FLG_RIG_MOTION_WAVE}) {
+        FLG_CALL(calls, flgRigMotionSample, &rig, motion, 0.25f, rotations, translation, travel);
+        calls.note(rotations, sizeof rotations);
+    }
+}
+
+}  // namespace
+
 void pose_skins(Calls& calls) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
     const uint32_t triangle[] = {0, 1, 2}, parts[] = {0, 0, 0};
@@ -199,6 +233,7 @@ void pose_skins(Calls& calls) {
     float moved[9];
     FLG_CALL(calls, flgSkinDeform, &view, FLG_SKINNING_LINEAR, matrices.data(), moved, nullptr);
     calls.note(moved, sizeof moved);
+    find_rigs(calls);
 }
 
 }  // namespace flg::test

@@ -462,7 +462,7 @@ class _Call:
             self._arguments.append(f"&{name}")
             made = f"{base[3:]}({context}, {name})" if base in w._handles else f"{base[3:]}({name})"
             self._results.append((base[3:], made, short))
-        elif out and kind.endswith("**"):  # an array of the library's own, and its count
+        elif out and kind.endswith("**") and after["type"].endswith("*"):  # an array of the library's own, and its count
             rest.pop(0)
             element = kind[:-2]
             self._before += [f"{element}* {name} = nullptr;", "uint32_t count = 0;"]

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // filigree skeleton: from contours to bones.
+#include "choices.h"
 #include "command.h"
 #include "documents/extensions.h"
 #include "documents/failure.h"
 #include "documents/rig_quality.h"
-#include "documents/test_motion.h"
 #include "documents/text_file.h"
 #include "filigree/filigree_io.h"
 #include "mesh_outline_part.h"
+#include "rigged_skin.h"
 
 namespace flg::cli {
 namespace {
@@ -22,7 +23,13 @@ struct Options {
     uint32_t vertices = flgSkinDefaults().vertex_count;
     bool repair = false;
     std::array<float, 3> from = {0, 0, 1};
+    RigOptions rig;
 };
+
+const std::map<std::string, FlgRigStandard> standards = {
+    {"vrm", FLG_RIG_STANDARD_VRM}, {"unity", FLG_RIG_STANDARD_UNITY}, {"unreal", FLG_RIG_STANDARD_UNREAL}};
+const std::map<std::string, SkinMotion> motions = {
+    {"walk", SkinMotion::walk}, {"idle", SkinMotion::idle}, {"wave", SkinMotion::wave}, {"swing", SkinMotion::swing}};
 
 ModelDrawing read_drawing(const Options& options, Session& session, Report& report) {
     ModelDrawing drawing;
@@ -48,7 +55,12 @@ ModelDrawing read_drawing(const Options& options, Session& session, Report& repo
     return drawing;
 }
 
-Json bones_json(const FlgModelView& view) {
+const char* limb_name(FlgLimb limb) {
+    static constexpr const char* names[] = {"trunk", "neck", "head", "arm", "leg", "tail", "other"};
+    return names[limb];
+}
+
+Json bones_json(const FlgModelView& view, const FlgRig* rig) {
     static constexpr const char* events[] = {"root", "bone_split", "joint_connect"};
     const auto number = [](uint32_t index) { return index == FLG_NO_INDEX ? Json(nullptr) : Json(index); };
     Json joints = Json::array(), parts = Json::array();
@@ -63,6 +75,10 @@ Json bones_json(const FlgModelView& view) {
                           {"radius", view.joint_radii[j]},
                           {"place", {place[0], place[1], place[2]}},
                           {"pinned", view.joint_pinned[j] != 0}});
+        if (!rig) continue;
+        joints.back()["limb"] = limb_name(rig->joints[j].limb);
+        joints.back()["side"] = rig->joints[j].side;
+        joints.back()["pair"] = rig->joints[j].pair;
     }
     for (size_t p = 0; p < view.part_count; ++p) {
         parts.push_back({{"event", events[view.part_events[p]]},
@@ -94,8 +110,14 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
         report.quality["stretched_by"] = view.joint_names[rig.stretch_joint];
         report.quality["largest_weight_jump"] = rig.largest_jump;
     }
-    const TestMotion motion = make_test_motion(bones, drawing);
-    const FlgSkinAnimation animation = motion.animation();
+    const RiggedSkin rigged(options.rig, view, bones, drawing, options.contours[0]);
+    const std::vector<FlgSkinAnimation> animations = rigged.animations();
+    FlgVrm vrm = flgVrmDefaults();
+    std::vector<const char*> authors;
+    for (const std::string& author : options.rig.authors) authors.push_back(author.c_str());
+    vrm.authors = authors.data();
+    vrm.author_count = static_cast<uint32_t>(authors.size());
+    vrm.bones = rigged.bones().data();
     std::vector<FlgMeshMaterial> materials;
     for (uint32_t p = 0; p < bones.part_count && drawing.has_colors; ++p) {
         const DrawnPart& part = drawing.parts[bones.part_sources[p]];
@@ -104,15 +126,19 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
     }
     FlgSkinFileWriteDesc file = {};
     flgSkinFileWriteDescInit(&file, sizeof file);
-    file.skin = &view;
-    file.animations = &animation;
-    file.animation_count = 1;
+    file.skin = &rigged.skin();
+    file.animations = animations.data();
+    file.animation_count = static_cast<uint32_t>(animations.size());
+    file.rig = rigged.rig();
+    if (!authors.empty()) file.vrm = &vrm;
     file.materials = materials.data();
     file.material_count = static_cast<uint32_t>(materials.size());
     if (flgSkinFileWrite(options.output.c_str(), &file) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 void run_skeleton(const Options& options, const CommonOptions& common) {
+    const bool is_vrm = options.rig.standard == FLG_RIG_STANDARD_VRM;
+    if (!options.rig.authors.empty() && !is_vrm) throw UsageError("--author: is asked for by --rig vrm alone");
     if (options.output.empty() && options.bones.empty()) throw UsageError("skeleton needs -o or --bones");
     if (!options.output.empty() && !ends_with_one_of(options.output, {".glb"}))
         throw UsageError("-o: " + options.output + " must end with .glb");
@@ -127,7 +153,12 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
     check(flgModelGetView(session.context(), model, &view), options.contours[0]);
     report.counts["parts"] = view.part_count;
     report.counts["joints"] = view.joint_count;
-    if (!options.bones.empty()) write_text_file(options.bones, bones_json(view).dump(1) + "\n");
+    if (!options.bones.empty()) {
+        std::optional<ModelRig> rig;
+        if (view.joint_count <= FLG_RIG_MAX_JOINTS)
+            rig.emplace(view.joint_positions, view, left_of(drawing), options.contours[0]);
+        write_text_file(options.bones, bones_json(view, rig ? &rig->rig() : nullptr).dump(1) + "\n");
+    }
     if (!options.output.empty()) write_skin(options, session, drawing, model, view, !common.report.empty(), report);
     report.write();
 }
@@ -167,6 +198,26 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
         ->check(CLI::Range(0.0f, 20.0f));
     command->add_option("--root", options->root, "The part that the hierarchy begins with; default: the largest")
         ->type_name("PART");
+    command
+        ->add_option_function<std::string>(
+            "--rig", [options](const std::string& name) { options->rig.standard = standards.at(name); },
+            "Joints get the names of a standard's humanoid; fails where the model is none")
+        ->check(CLI::IsMember(standards).description(""))
+        ->type_name("vrm|unity|unreal");
+    command->add_option("--author", options->rig.authors,
+                        "With --rig vrm: makes the file a VRM 1.0 avatar of this author; may be repeated");
+    command->add_flag("--t-pose", options->rig.t_pose, "At rest the arms are level, the palms down");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--motion",
+            [options](const std::vector<std::string>& names) {
+                options->rig.motions.clear();
+                for (const std::string& name : names) options->rig.motions.push_back(motions.at(name));
+            },
+            "Test animations of the model; swing turns every joint. Default swing")
+        ->delimiter(',')
+        ->check(CLI::IsMember(motions).description(""))
+        ->type_name("walk|idle|wave|swing,...");
     return {command, [options, &common] { run_skeleton(*options, common); }};
 }
 

@@ -49,7 +49,7 @@
 #define FILIGREE_FILIGREE_IO_H
 
 #include "filigree.h"
-#include "filigree_model.h"
+#include "filigree_rig.h"
 #include "filigree_surface.h"
 #include "filigree_tangle.h"
 
@@ -367,6 +367,21 @@ FLG_API FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info
 /* Null is allowed. */
 FLG_API void flgSkinFileRelease(FlgSkinFile file);
 
+/* The extension VRMC_vrm of VRM 1.0: who made an avatar, and which of its joints are which bones. Its other fields are
+ * left at the extension's defaults: only the author may use the avatar, and nobody may change it. */
+typedef struct FlgVrm {
+    uint32_t struct_size;
+    uint32_t author_count;      /* at least 1 */
+    const char* const* authors; /* UTF-8 */
+    const char* name;           /* of the avatar, UTF-8; null: the model's. Default null */
+    const char* license_url;    /* UTF-8; null: https://vrm.dev/licenses/1.0/, the only one VRM 1.0 allows. Default
+                                   null */
+    const char* const* bones;   /* one per joint of the skin: from flgRigGetNames with FLG_RIG_STANDARD_VRM; null: the
+                                   joint is no bone of VRM */
+} FlgVrm;
+
+FLG_API FlgResult flgVrmInit(FlgVrm* vrm, uint32_t struct_size);
+
 typedef struct FlgSkinFileWriteDesc {
     uint32_t struct_size;
     uint32_t animation_count;           /* default 0 */
@@ -379,6 +394,9 @@ typedef struct FlgSkinFileWriteDesc {
     const FlgMeshMaterial* materials;   /* by part. A triangle belongs to the part of two of its corners, else of its
                                            first corner */
     const FlgFileHooks* hooks; /* null: all defaults. Default null */
+    const FlgRig* rig;         /* of the skin's joints: written as `extras` of their nodes, see docs/rigs.md. Default
+                                  null */
+    const FlgVrm* vrm;         /* makes the file a VRM 1.0 avatar. Default null */
 } FlgSkinFileWriteDesc;
 
 FLG_API FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size);
@@ -564,6 +582,12 @@ static inline FlgSkinFileInfo flgSkinFileInfoDefaults(void) {
     FlgSkinFileInfo info;
     flgSkinFileInfoInit(&info, (uint32_t)sizeof info);
     return info;
+}
+
+static inline FlgVrm flgVrmDefaults(void) {
+    FlgVrm vrm;
+    flgVrmInit(&vrm, (uint32_t)sizeof vrm);
+    return vrm;
 }
 
 static inline FlgSkinFileWriteDesc flgSkinFileWriteDefaults(void) {

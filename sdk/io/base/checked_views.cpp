@@ -278,6 +278,16 @@ void check_name(const char* name, const String& place) {
 
 }  // namespace
 
+namespace {
+
+// Those that VRM 1.0 asks for.
+constexpr const char* vrm_bones_needed[] = {"hips",          "spine",         "head",          "leftUpperLeg",
+                                            "leftLowerLeg",  "leftFoot",      "rightUpperLeg", "rightLowerLeg",
+                                            "rightFoot",     "leftUpperArm",  "leftLowerArm",  "leftHand",
+                                            "rightUpperArm", "rightLowerArm", "rightHand"};
+
+}  // namespace
+
 CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
     desc_ = read_given(desc, "desc");
     skin_ = read_given(desc_.skin, "desc.skin");
@@ -293,6 +303,55 @@ CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
         check_animation(animations_.back(), place);
     }
     check_materials();
+    if (desc_.rig) check_rig();
+    if (desc_.vrm) check_vrm();
+}
+
+void CheckedSkin::check_rig() {
+    rig_ = read_given(desc_.rig, "desc.rig");
+    if (rig_->joint_count != joint_count())
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.rig.joint_count", "is %u, but the skin has %zu joints",
+             rig_->joint_count, joint_count());
+    check_argument(rig_->joints, "desc.rig.joints");
+    for (uint32_t j = 0; j < joint_count(); ++j) {
+        const FlgRigJoint& joint = rig_->joints[j];
+        const String place = at("desc.rig.joints", j);
+        check_floats(joint.capsule_start, 3, place + ".capsule_start");
+        check_floats(joint.capsule_end, 3, place + ".capsule_end");
+        check_floats(&joint.capsule_radius, 1, place + ".capsule_radius");
+        check_floats(joint.limit_axis, 3, place + ".limit_axis");
+        check_floats(&joint.limit_swing, 1, place + ".limit_swing");
+        check_floats(&joint.limit_twist_min, 1, place + ".limit_twist_min");
+        check_floats(&joint.limit_twist_max, 1, place + ".limit_twist_max");
+    }
+}
+
+void CheckedSkin::check_vrm() {
+    vrm_ = read_given(desc_.vrm, "desc.vrm");
+    if (vrm_->author_count == 0)
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.vrm.author_count", "is 0: VRM asks for an author");
+    check_argument(vrm_->authors, "desc.vrm.authors");
+    for (uint32_t i = 0; i < vrm_->author_count; ++i) {
+        check_argument(vrm_->authors[i], at("desc.vrm.authors", i).c_str());
+        check_name(vrm_->authors[i], at("desc.vrm.authors", i));
+    }
+    check_name(vrm_->name, "desc.vrm.name");
+    check_name(vrm_->license_url, "desc.vrm.license_url");
+    check_argument(vrm_->bones, "desc.vrm.bones");
+    Vector<std::string_view> bones;
+    for (uint32_t j = 0; j < joint_count(); ++j) {
+        if (!vrm_->bones[j]) continue;
+        check_name(vrm_->bones[j], at("desc.vrm.bones", j));
+        bones.push_back(vrm_->bones[j]);
+    }
+    std::sort(bones.begin(), bones.end());
+    const auto twice = std::adjacent_find(bones.begin(), bones.end());
+    if (twice != bones.end())
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.vrm.bones", "has two joints that are %s", String(*twice).c_str());
+    for (const char* needed : vrm_bones_needed) {
+        if (std::binary_search(bones.begin(), bones.end(), std::string_view(needed))) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.vrm.bones", "has no %s, which VRM asks for", needed);
+    }
 }
 
 void CheckedSkin::check_joints() const {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "core/origin.h"
@@ -113,6 +114,8 @@ public:
     const Vector<FlgMeshMaterial>& materials() const { return materials_; }
     Origin origin() const { return {skin_.origin[0], skin_.origin[1], skin_.origin[2]}; }
     String name() const { return desc_.name ? desc_.name : "model"; }
+    const std::optional<FlgRig>& rig() const { return rig_; }
+    const std::optional<FlgVrm>& vrm() const { return vrm_; }
     uint32_t part(size_t vertex) const { return skin_.vertex_parts ? skin_.vertex_parts[vertex] : 0; }
 
 private:
@@ -122,9 +125,13 @@ private:
     void check_joints() const;
     void check_animation(const FlgSkinAnimation& animation, const String& place) const;
     void check_materials();
+    void check_rig();
+    void check_vrm();
 
     FlgSkinFileWriteDesc desc_ = {};
     FlgSkinView skin_ = {};
+    std::optional<FlgRig> rig_;
+    std::optional<FlgVrm> vrm_;
     Vector<FlgSkinAnimation> animations_;
     Vector<FlgMeshMaterial> materials_;
 };

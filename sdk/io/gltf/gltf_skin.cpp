@@ -19,6 +19,7 @@
 #include "io/gltf/glb_builder.h"
 #include "io/gltf/gltf_animations.h"
 #include "io/gltf/gltf_materials.h"
+#include "io/gltf/gltf_rig.h"
 #include "io/gltf/gltf_triangles.h"
 
 namespace flg::io {
@@ -350,6 +351,7 @@ public:
                      ",\"inverseBindMatrices\":" + number(add_bind_matrices()) + ",\"skeleton\":1,\"joints\":[" +
                      joints + "]}],\"materials\":[" + materials_ + "],";
         if (!animations_.empty()) top += "\"animations\":[" + animations_ + "],";
+        if (checked_.vrm()) top += json_vrm(*checked_.vrm(), name, checked_.joint_count(), first_joint_node) + ",";
         return glb_.finish_scene(top, name);
     }
 
@@ -446,6 +448,8 @@ private:
         String json = "{\"name\":" + json_text(name) + ",\"translation\":[" + json_number(static_cast<float>(t.x)) +
                       "," + json_number(static_cast<float>(t.y)) + "," + json_number(static_cast<float>(t.z)) + "]";
         if (!children.empty()) json += ",\"children\":[" + children + "]";
+        if (checked_.rig())
+            json += ",\"extras\":" + json_rig_joint(checked_.rig()->joints[joint], skin_.joint_positions + 3 * joint);
         return json + "}";
     }
 

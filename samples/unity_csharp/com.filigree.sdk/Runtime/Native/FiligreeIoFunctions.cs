@@ -234,6 +234,9 @@ namespace Filigree
         public static extern void flgSkinFileRelease(FlgSkinFile file);
 
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgVrmInit(FlgVrm* vrm, uint struct_size);
+
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
@@ -417,6 +420,13 @@ namespace Filigree
         {
             FlgSkinFileInfo made;
             flgSkinFileInfoInit(&made, (uint)sizeof(FlgSkinFileInfo));
+            return made;
+        }
+
+        public static FlgVrm flgVrmDefaults()
+        {
+            FlgVrm made;
+            flgVrmInit(&made, (uint)sizeof(FlgVrm));
             return made;
         }
 

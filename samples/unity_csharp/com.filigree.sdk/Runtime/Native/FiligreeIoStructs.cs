@@ -305,6 +305,27 @@ namespace Filigree
         public uint reserved;
     }
 
+    /// <summary>
+    /// The extension VRMC_vrm of VRM 1.0: who made an avatar, and which of its joints are which bones. Its other fields
+    /// are left at the extension's defaults: only the author may use the avatar, and nobody may change it.
+    /// </summary>
+    public unsafe partial struct FlgVrm
+    {
+        public uint struct_size;
+        /// <summary>at least 1</summary>
+        public uint author_count;
+        /// <summary>UTF-8</summary>
+        public byte** authors;
+        /// <summary>of the avatar, UTF-8; null: the model's. Default null</summary>
+        public byte* name;
+        /// <summary>UTF-8; null: https://vrm.dev/licenses/1.0/, the only one VRM 1.0 allows. Default null</summary>
+        public byte* license_url;
+        /// <summary>
+        /// one per joint of the skin: from flgRigGetNames with FlgRigStandard.Vrm; null: the joint is no bone of VRM
+        /// </summary>
+        public byte** bones;
+    }
+
     public unsafe partial struct FlgSkinFileWriteDesc
     {
         public uint struct_size;
@@ -322,6 +343,10 @@ namespace Filigree
         public FlgMeshMaterial* materials;
         /// <summary>null: all defaults. Default null</summary>
         public FlgFileHooks* hooks;
+        /// <summary>of the skin's joints: written as `extras` of their nodes, see docs/rigs.md. Default null</summary>
+        public FlgRig* rig;
+        /// <summary>makes the file a VRM 1.0 avatar. Default null</summary>
+        public FlgVrm* vrm;
     }
 
     public unsafe partial struct FlgMotionFileWriteDesc
