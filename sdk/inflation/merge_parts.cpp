@@ -199,14 +199,6 @@ constexpr double max_spacing = 0.8;
 constexpr uint32_t min_vertices = 100;
 constexpr double gap_cells = 1.5;  // between parts that are kept apart: no edge of the lattice reaches across
 
-// A lattice that gives about a fourth of the vertices.
-double coarse_spacing(const PartUnion& parts, uint32_t vertices) {
-    double area = 0;
-    for (const ImplicitPart& part : parts.parts())
-        area += surface_by_shape * part.part().area * part.scale() * part.scale();
-    return coarser * std::sqrt(cells_by_area * area / vertices);
-}
-
 // From how many vertices the coarse lattice gives: the spacing that gives as many as asked for, or what the thinnest
 // part needs.
 double fine_spacing(const PartUnion& parts, double coarse, double counted, const MergeOptions& options) {
@@ -239,6 +231,15 @@ Task<DualSurface> surface_on_lattice(Pace& pace, const PartUnion& parts, double 
 
 }  // namespace
 
+double expected_spacing(std::span<const PlacedPart> parts, uint32_t vertices) {
+    double area = 0;
+    for (const PlacedPart& part : parts) {
+        const auto& m = part.placement;
+        area += surface_by_shape * part.part->area * (m[0] * m[0] + m[4] * m[4] + m[8] * m[8]);
+    }
+    return std::sqrt(cells_by_area * area / vertices);
+}
+
 Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
     pace.stage("merge");
     if (placed.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: there are no parts");
@@ -246,7 +247,8 @@ Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, Mer
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: %u vertices asked for; a surface has %u or more",
                       options.vertices, min_vertices);
     PartUnion parts = co_await PartUnion::make(pace, placed, options.blend);
-    const double coarse = coarse_spacing(parts, options.vertices);
+    // A lattice that gives about a fourth of the vertices.
+    const double coarse = coarser * expected_spacing(placed, options.vertices);
     parts.set_gap(gap_cells * coarse / coarser);
     const uint32_t counted = co_await count_vertices(pace, parts, coarse);
     const double spacing = fine_spacing(parts, coarse, counted, options);

@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: MIT
+#include "inflation/part_depths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "inflation/part_front.h"
+
+namespace flg {
+namespace {
+
+constexpr double about_parallel = 0.9;  // cosine between normals
+constexpr double same_depth = 1e-6;     // of the drawing's size: planes that are nearer are one
+constexpr double no_rise = 1e-9;        // of the drawing's size
+constexpr double least_reach = 0.3;     // of `hold`: no part rises faster
+constexpr uint32_t sweeps = 4;          // over a raster's values outside
+
+// The way from where a part hangs, on its raster.
+class Ways {
+public:
+    static Task<Buffer<double>> make(Pace& pace, const ImplicitPart& placed, Vec3 joint) {
+        const InflatedPart& part = placed.part();
+        const size_t vertices = part.points.size(), triangles = part.triangles.size();
+        const Vec3 at = placed.local(joint);
+        uint32_t nearest = 0;
+        double least = HUGE_VAL;
+        const Groups corners = co_await corners_by_vertex(pace, part);
+        Buffer<uint32_t> source_of(vertices, pace.memory());
+        PartFront front(part, corners, source_of, pace.memory());
+        co_await each(pace, vertices, Cost::some_ns, [&](uint32_t v) {
+            front.clear(v);
+            const double away = distance(part.points[v], {at.x(), at.y()});
+            if (away < least) least = away, nearest = v;
+        });
+        front.offer(nearest, 0, 0);
+        Slice slice(Cost::hundreds_of_ns);
+        while (const uint32_t work = front.advance())
+            if (slice.is_over(work)) co_await pace;
+
+        Ways ways(part.raster, pace.memory());
+        const auto values = static_cast<uint32_t>(ways.values_.size());
+        co_await each(pace, values, Cost::some_ns, [&](uint32_t i) {
+            ways.values_[i] = 0;
+            ways.away_[i] = HUGE_VALF;
+        });
+        co_await each_by_work(pace, triangles, Cost::tens_of_ns,
+                              [&](uint32_t t) { return ways.draw(part, part.triangles[t], front); });
+        for (uint32_t sweep = 0; sweep < sweeps; ++sweep) {
+            const bool forward = sweep % 2 == 0;
+            co_await each(pace, values, Cost::tens_of_ns,
+                          [&](uint32_t i) { ways.pass_on(forward ? i : values - 1 - i, forward ? -1 : 1); });
+        }
+        co_return std::move(ways.values_);
+    }
+
+private:
+    Ways(const PartRaster& raster, Memory* memory)
+        : raster_(raster), values_(raster.values.size(), memory), away_(raster.values.size(), memory) {}
+
+    // Values in a triangle, between those of its corners.
+    uint32_t draw(const InflatedPart& part, const TriangleVertices& t, const PartFront& front) {
+        constexpr double slack = 1e-9;
+        const Point2 &a = part.points[t[0]], &b = part.points[t[1]], &c = part.points[t[2]];
+        const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        const auto row_of = [&](double y) { return (y - raster_.origin.y) / raster_.spacing; };
+        const auto column_of = [&](double x) { return (x - raster_.origin.x) / raster_.spacing; };
+        const auto first_row = static_cast<uint32_t>(std::ceil(row_of(std::min({a.y, b.y, c.y})) - slack)),
+                   last_row = static_cast<uint32_t>(row_of(std::max({a.y, b.y, c.y})) + slack);
+        const auto first = static_cast<uint32_t>(std::ceil(column_of(std::min({a.x, b.x, c.x})) - slack)),
+                   last = static_cast<uint32_t>(column_of(std::max({a.x, b.x, c.x})) + slack);
+        for (uint32_t row = first_row; row <= last_row; ++row)
+            for (uint32_t column = first; column <= last; ++column) {
+                const double x = raster_.origin.x + raster_.spacing * column,
+                             y = raster_.origin.y + raster_.spacing * row;
+                const double of_b = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / twice,
+                             of_c = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / twice;
+                if (std::min({1 - of_b - of_c, of_b, of_c}) < -slack) continue;
+                const size_t place = size_t{raster_.width} * row + column;
+                values_[place] = (1 - of_b - of_c) * front.distance(t[0]) + of_b * front.distance(t[1]) +
+                                 of_c * front.distance(t[2]);
+                away_[place] = 0;
+            }
+        return 4 + (last_row + 1 - first_row) * (last + 1 - first);
+    }
+
+    // Outside: of the nearest value inside.
+    void pass_on(uint32_t place, int sign) {
+        if (away_[place] == 0) return;
+        const auto x = static_cast<int>(place % raster_.width), y = static_cast<int>(place / raster_.width);
+        constexpr int steps[4][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}};
+        for (const auto& step : steps) {
+            const int u = x + sign * step[0], v = y + sign * step[1];
+            if (u < 0 || v < 0 || u >= static_cast<int>(raster_.width) || v >= static_cast<int>(raster_.height))
+                continue;
+            const size_t from = size_t{raster_.width} * static_cast<size_t>(v) + static_cast<size_t>(u);
+            const float away = away_[from] + (step[0] != 0 && step[1] != 0 ? 1.414f : 1.0f);
+            if (away >= away_[place]) continue;
+            away_[place] = away;
+            values_[place] = values_[from];
+        }
+    }
+
+    const PartRaster& raster_;
+    Buffer<double> values_;
+    Buffer<float> away_;  // from the contour, in values
+};
+
+// Two parts that may cross.
+struct Pair {
+    std::array<uint32_t, 2> parts;
+    // From the nearest part that bears both to where each hangs; below 0: that part itself.
+    std::array<double, 2> before{};
+    std::array<double, 2> hold{};  // of the limbs that they belong to there
+    bool overlap = false, cross = false;
+    std::array<double, 2> needed = {0, 0};                // how far to move the first, the second in front
+    std::array<double, 2> first = {HUGE_VAL, HUGE_VAL};  // the least way to where they cross; in contours' units
+};
+
+constexpr double bears_other = -1;
+
+class Arrangement {
+public:
+    Arrangement(const DrawnParts& drawn, Memory* memory)
+        : drawn_(drawn),
+          shapes_(memory),
+          pairs_(memory),
+          ways_(memory),
+          levels_(memory),
+          order_(memory),
+          unit_(memory),
+          depth_(memory) {}
+
+    static Task<PartDepths> make(Pace& pace, DrawnParts drawn) {
+        Arrangement all(drawn, pace.memory());
+        co_await place_parts(pace, all);
+        co_await list_pairs(pace, all);
+        co_await look_for_overlaps(pace, all);
+        co_await measure_crossings(pace, all);
+        PartDepths out(pace.memory());
+        out.lifts.resize(all.count());
+        if (std::any_of(all.pairs_.begin(), all.pairs_.end(), [](const Pair& pair) { return pair.cross; })) {
+            all.make_units();
+            all.choose_depths();
+            co_await set_lifts(pace, all, out);
+        }
+        co_await list_apart(pace, all, out);
+        co_return out;
+    }
+
+private:
+    uint32_t count() const { return static_cast<uint32_t>(drawn_.parts.size()); }
+    bool is_root(uint32_t part) const { return drawn_.hung[part].parent == no_part; }
+
+    static Task<void> place_parts(Pace& pace, Arrangement& all) {
+        const uint32_t count = all.count();
+        all.shapes_.reserve(count);
+        all.levels_.resize(count);
+        all.ways_.resize(count);
+        Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
+        co_await each(pace, count, Cost::hundreds_of_ns, [&](uint32_t p) {
+            const ImplicitPart& shape = all.shapes_.emplace_back(all.drawn_.parts[p], p);
+            low = low.cwiseMin(shape.low());
+            high = high.cwiseMax(shape.high());
+        });
+        all.size_ = (high - low).norm();
+        Slice slice(Cost::some_ns);
+        for (uint32_t p = 0; p < count; ++p)
+            for (uint32_t at = p; !all.is_root(at); at = all.drawn_.hung[at].parent) {
+                ++all.levels_[p];
+                if (slice.is_over()) co_await pace;
+            }
+        uint32_t root = 0;
+        while (!all.is_root(root)) ++root;
+        all.front_ = all.shapes_[root].normal();
+    }
+
+    // 1 or -1: where a part's normal points; 0: it is not parallel to the drawing.
+    double side(uint32_t part) const {
+        const double cosine = shapes_[part].normal().dot(front_);
+        return std::fabs(cosine) < about_parallel ? 0 : cosine < 0 ? -1 : 1;
+    }
+
+    bool boxes_meet(uint32_t a, uint32_t b) const {
+        return ((shapes_[a].low() - shapes_[b].high()).array() < 0).all() &&
+               ((shapes_[b].low() - shapes_[a].high()).array() < 0).all();
+    }
+
+    // From left to right: each part with those that begin before it ends.
+    static Task<void> list_pairs(Pace& pace, Arrangement& all) {
+        std::pmr::vector<uint32_t> order(all.count(), pace.memory());
+        for (uint32_t p = 0; p < all.count(); ++p) order[p] = p;
+        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+            return std::tuple(all.shapes_[a].low().x(), a) < std::tuple(all.shapes_[b].low().x(), b);
+        });
+        Slice slice(Cost::tens_of_ns);
+        for (size_t i = 0; i < order.size(); ++i)
+            for (size_t j = i + 1; j < order.size(); ++j) {
+                const uint32_t a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
+                if (all.shapes_[order[j]].low().x() > all.shapes_[order[i]].high().x()) break;
+                if (slice.is_over()) co_await pace;
+                if (all.drawn_.hung[a].twin == b || all.side(a) == 0 || all.side(b) == 0 || !all.boxes_meet(a, b))
+                    continue;
+                Pair pair{.parts = {a, b}};
+                if (all.measure_before(pair)) all.pairs_.push_back(pair);
+            }
+    }
+
+    // False: nothing bears both.
+    bool measure_before(Pair& pair) const {
+        std::array<uint32_t, 2> at = pair.parts, limb = {no_part, no_part};
+        while (at[0] != at[1]) {
+            const uint32_t lower = levels_[at[0]] >= levels_[at[1]] ? 0 : 1;
+            const HungPart& hung = drawn_.hung[at[lower]];
+            if (hung.parent == no_part) return false;
+            if (limb[lower] != no_part)
+                pair.before[lower] += (hung.joint - drawn_.hung[limb[lower]].joint).norm();
+            limb[lower] = at[lower];
+            pair.hold[lower] = hung.hold;
+            at[lower] = hung.parent;
+        }
+        for (uint32_t k = 0; k < 2; ++k)
+            if (limb[k] == no_part) pair.before[k] = bears_other;
+        return true;
+    }
+
+    // What is over a vertex of one of two parts.
+    struct Over {
+        double height, other;  // half of the two bodies' thickness there; in the model's units
+        double behind;         // how far the other's plane is behind
+        Point2 at;             // in the other's plane
+    };
+    bool is_over(uint32_t part, uint32_t vertex, uint32_t other, Over& out) const {
+        const ImplicitPart &own = shapes_[part], &shape = shapes_[other];
+        const Point2& p = own.part().points[vertex];
+        const Vec3 at = shape.local(own.place({p.x, p.y, 0}));
+        const PartRaster& raster = shape.part().raster;
+        const double x = (at.x() - raster.origin.x) / raster.spacing, y = (at.y() - raster.origin.y) / raster.spacing;
+        if (!(x > 1 && y > 1 && x < raster.width - 2.0 && y < raster.height - 2.0)) return false;
+        const double square = shape.squared_height(at.x(), at.y());
+        if (!(square > 0)) return false;
+        out.height = own.scale() * own.thickness() * std::sqrt(own.part().squares[vertex]);
+        out.other = shape.scale() * std::sqrt(square);
+        out.behind = side(other) * shape.scale() * at.z();
+        out.at = {at.x(), at.y()};
+        return std::fabs(out.behind) < out.height + out.other;
+    }
+
+    // Which parts' ways are to be measured: those of pairs that overlap where they may cross.
+    static Task<void> look_for_overlaps(Pace& pace, Arrangement& all) {
+        for (Pair& pair : all.pairs_)
+            for (uint32_t k = 0; k < 2; ++k) {
+                const uint32_t part = pair.parts[k], other = pair.parts[1 - k];
+                co_await each(pace, all.shapes_[part].part().points.size(), Cost::tens_of_ns, [&](uint32_t v) {
+                    Over over;
+                    if (!pair.overlap) pair.overlap = all.is_over(part, v, other, over) && all.may_cross(pair, k, v);
+                });
+            }
+    }
+
+    // No way is shorter than the straight line; few that cross are much longer.
+    bool may_cross(const Pair& pair, uint32_t k, uint32_t vertex) const {
+        constexpr double straight = 0.8;
+        const ImplicitPart& own = shapes_[pair.parts[k]];
+        const Point2& p = own.part().points[vertex];
+        const Vec3 at = own.place({p.x, p.y, 0});
+        for (uint32_t i = 0; i < 2; ++i)
+            if (pair.before[i] != bears_other &&
+                (at - drawn_.hung[pair.parts[i]].joint).norm() + pair.before[i] < straight * pair.hold[i])
+                return false;
+        return true;
+    }
+
+    static Task<void> measure_crossings(Pace& pace, Arrangement& all) {
+        for (Pair& pair : all.pairs_) {
+            if (!pair.overlap) continue;
+            for (uint32_t k = 0; k < 2; ++k)
+                if (pair.before[k] != bears_other) co_await measure_way(pace, all, pair.parts[k]);
+            for (uint32_t k = 0; k < 2; ++k)
+                co_await each(pace, all.shapes_[pair.parts[k]].part().points.size(), Cost::tens_of_ns,
+                              [&](uint32_t v) { all.look_at_crossing(pair, k, v); });
+        }
+    }
+
+    static Task<void> measure_way(Pace& pace, Arrangement& all, uint32_t part) {
+        if (all.ways_[part].empty())
+            all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.drawn_.hung[part].joint);
+    }
+
+    // In the contour's units; the nearest value on the raster.
+    double way(uint32_t part, const Point2& at) const {
+        const PartRaster& raster = shapes_[part].part().raster;
+        const auto column = static_cast<size_t>((at.x - raster.origin.x) / raster.spacing + 0.5),
+                   row = static_cast<size_t>((at.y - raster.origin.y) / raster.spacing + 0.5);
+        return ways_[part][raster.width * row + column];
+    }
+
+    void look_at_crossing(Pair& pair, uint32_t k, uint32_t vertex) const {
+        const uint32_t part = pair.parts[k], other = pair.parts[1 - k];
+        Over over;
+        if (!is_over(part, vertex, other, over)) return;
+        std::array<double, 2> ways = {HUGE_VAL, HUGE_VAL};
+        for (uint32_t i = 0; i < 2; ++i) {
+            if (pair.before[i] == bears_other) continue;
+            ways[i] = way(pair.parts[i], i == k ? shapes_[part].part().points[vertex] : over.at);
+            if (pair.before[i] + ways[i] * shapes_[pair.parts[i]].scale() < pair.hold[i]) return;
+        }
+        pair.cross = true;
+        const double heights = over.height + over.other + drawn_.gap;
+        pair.needed[k] = std::max(pair.needed[k], heights - over.behind);
+        pair.needed[1 - k] = std::max(pair.needed[1 - k], heights + over.behind);
+        for (uint32_t i = 0; i < 2; ++i) pair.first[i] = std::min(pair.first[i], ways[i]);
+    }
+
+    // Larger: farther in front.
+    std::tuple<double, double, double> rank(uint32_t part) const {
+        const HungPart& hung = drawn_.hung[part];
+        const double turned = hung.is_turned ? -1 : 1;
+        const double plane = front_.dot(shapes_[part].low() + shapes_[part].high()) / 2;
+        return {turned * hung.depth, std::round(plane / (same_depth * size_)), turned * part};
+    }
+
+    bool crosses_some(uint32_t part) const {
+        return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+            return pair.cross && (pair.parts[0] == part || pair.parts[1] == part);
+        });
+    }
+
+    // Parts by level, those above before those that hang on them; each with the part that it moves with.
+    void make_units() {
+        order_.resize(count());
+        unit_.resize(count());
+        for (uint32_t p = 0; p < count(); ++p) order_[p] = p;
+        std::sort(order_.begin(), order_.end(),
+                  [&](uint32_t a, uint32_t b) { return std::tuple(levels_[a], a) < std::tuple(levels_[b], b); });
+        for (const uint32_t p : order_) {
+            unit_[p] = p;
+            if (is_root(p)) continue;
+            const uint32_t above = unit_[drawn_.hung[p].parent];
+            if (drawn_.hung[p].depth != drawn_.hung[above].depth && crosses_some(p)) continue;
+            const bool is_free = is_root(above) ? !crosses_some(p) : !crosses_unit(p, above);
+            if (is_free) unit_[p] = above;
+        }
+    }
+    // Those before it in the order count.
+    bool crosses_unit(uint32_t part, uint32_t unit) const {
+        return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+            if (!pair.cross || (pair.parts[0] != part && pair.parts[1] != part)) return false;
+            const uint32_t other = pair.parts[0] == part ? pair.parts[1] : pair.parts[0];
+            return std::tuple(levels_[other], other) < std::tuple(levels_[part], part) && unit_[other] == unit;
+        });
+    }
+
+    // Of each unit, along the drawing's front.
+    void choose_depths() {
+        struct Asked {
+            uint32_t behind, front;
+            double distance;
+        };
+        std::pmr::vector<Asked> asked(pairs_.get_allocator());
+        for (const Pair& pair : pairs_) {
+            const uint32_t a = unit_[pair.parts[0]], b = unit_[pair.parts[1]];
+            if (!pair.cross || a == b) continue;
+            const bool a_behind = rank(a) < rank(b);
+            asked.push_back({a_behind ? a : b, a_behind ? b : a, pair.needed[a_behind ? 1 : 0]});
+        }
+        std::sort(asked.begin(), asked.end(), [&](const Asked& a, const Asked& b) {
+            return std::tuple(rank(a.behind), a.front) < std::tuple(rank(b.behind), b.front);
+        });
+        std::pmr::vector<double> behind(count(), 0, pairs_.get_allocator()), before(behind),
+            least(count(), -HUGE_VAL, pairs_.get_allocator()), most(count(), HUGE_VAL, pairs_.get_allocator());
+        for (uint32_t p = 0; p < count(); ++p)
+            if (is_root(p)) least[p] = most[p] = 0;
+        // From behind, and from the front; what stays where it is begins anew.
+        for (const Asked& ask : asked) {
+            least[ask.front] = std::max(least[ask.front], is_root(ask.front) ? 0 : least[ask.behind] + ask.distance);
+            if (!is_root(ask.behind)) behind[ask.front] = std::max(behind[ask.front], behind[ask.behind] + ask.distance);
+        }
+        std::sort(asked.begin(), asked.end(), [&](const Asked& a, const Asked& b) {
+            return std::tuple(rank(a.front), a.behind) > std::tuple(rank(b.front), b.behind);
+        });
+        for (const Asked& ask : asked) {
+            most[ask.behind] = std::min(most[ask.behind], is_root(ask.behind) ? 0 : most[ask.front] - ask.distance);
+            if (!is_root(ask.front)) before[ask.behind] = std::max(before[ask.behind], before[ask.front] + ask.distance);
+        }
+        depth_.resize(count());
+        for (uint32_t p = 0; p < count(); ++p)
+            depth_[p] = is_root(p) ? 0 : std::min(most[p], std::max(least[p], (behind[p] - before[p]) / 2));
+    }
+
+    // From where it hangs, parents first.
+    static Task<void> set_lifts(Pace& pace, Arrangement& all, PartDepths& out) {
+        std::pmr::vector<double> first(all.count(), HUGE_VAL, pace.memory());
+        for (const Pair& pair : all.pairs_)
+            for (uint32_t k = 0; k < 2; ++k)
+                if (pair.cross) first[pair.parts[k]] = std::min(first[pair.parts[k]], pair.first[k]);
+        for (const uint32_t p : all.order_) {
+            if (all.is_root(p) || all.side(p) == 0) continue;
+            const HungPart& hung = all.drawn_.hung[p];
+            const ImplicitPart above(with_lift(all.drawn_.parts[hung.parent], out.lifts[hung.parent]), hung.parent);
+            const Vec3 joint = above.local(hung.joint);
+            const double base = all.side(hung.parent) * above.scale() * above.lift(joint.x(), joint.y());
+            const double rise = all.depth_[all.unit_[p]] - base, unit = all.side(p) / all.shapes_[p].scale();
+            PartLift& lift = out.lifts[p];
+            lift.base = base * unit;
+            const double hold = hung.hold / all.shapes_[p].scale();
+            lift.reach = std::max(first[p] < HUGE_VAL ? first[p] : hold, least_reach * hold);
+            if (std::fabs(rise) <= no_rise * all.size_ || !(lift.reach > 0)) continue;
+            lift.rise = rise * unit;
+            co_await measure_way(pace, all, p);
+            lift.ways = std::move(all.ways_[p]);
+        }
+    }
+
+    static PlacedPart with_lift(PlacedPart part, const PartLift& lift) {
+        part.lift = &lift;
+        return part;
+    }
+
+    static Task<void> list_apart(Pace& pace, const Arrangement& all, PartDepths& out) {
+        std::pmr::vector<std::array<uint32_t, 2>> apart(pace.memory());
+        co_await each(pace, all.drawn_.apart.size(), Cost::tens_of_ns, [&](uint32_t i) {
+            const auto& [a, b] = all.drawn_.apart[i];
+            if (!all.bears(a, b) && !all.bears(b, a)) apart.push_back({a, b});
+        });
+        co_await each(pace, all.pairs_.size(), Cost::tens_of_ns, [&](uint32_t i) {
+            const Pair& pair = all.pairs_[i];
+            if (pair.cross && pair.before[0] != bears_other && pair.before[1] != bears_other)
+                apart.push_back(pair.parts);
+        });
+        out.apart = co_await group_by(pace, 2 * apart.size(), all.count(),
+                                      [&](uint32_t end) { return apart[end / 2][end % 2]; });
+        co_await each(pace, out.apart.items.size(), Cost::some_ns, [&](uint32_t i) {
+            uint32_t& item = out.apart.items[i];
+            item = apart[item / 2][1 - item % 2];
+        });
+    }
+
+    bool bears(uint32_t part, uint32_t other) const {
+        while (levels_[other] > levels_[part]) other = drawn_.hung[other].parent;
+        return part == other;
+    }
+
+    DrawnParts drawn_;
+    std::pmr::vector<ImplicitPart> shapes_;
+    std::pmr::vector<Pair> pairs_;
+    std::pmr::deque<Buffer<double>> ways_;  // by part; none: not needed
+    std::pmr::vector<uint32_t> levels_;     // by part: how many it hangs on, one on the other
+    std::pmr::vector<uint32_t> order_, unit_;
+    std::pmr::vector<double> depth_;  // by unit
+    Vec3 front_ = Vec3::UnitZ();
+    double size_ = 0;
+};
+
+}  // namespace
+
+Task<PartDepths> find_depths(Pace& pace, DrawnParts drawn) {
+    co_return co_await Arrangement::make(pace, drawn);
+}
+
+}  // namespace flg
