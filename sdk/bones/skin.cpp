@@ -68,9 +68,10 @@ Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
         if (part.twin != no_number)
             hung.is_turned = part.is_mirrored && part.placement.col(2).dot(model.parts[part.twin].placement.col(2)) < 0;
         const BoneJoint& own = model.tree.joints[model.part_joints[p]];
-        const BoneJoint& bearing = own.part == p && own.parent != no_joint ? model.tree.joints[own.parent] : own;
+        const BoneJoint& bearing = own.parent != no_joint ? model.tree.joints[own.parent] : own;
         hung.parent = model.links[p].parent;
-        hung.joint = bearing.at;
+        hung.joint = own.at;
+        hung.bearing = bearing.at;
         hung.hold = held * (bearing.radius + own.radius);
     });
     for (uint32_t p = 0; p < model.parts.size(); ++p) {
@@ -161,8 +162,9 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     std::pmr::vector<PlacedPart> placed(pace.memory());
     co_await inflate_parts(pace, model, bodies, placed);
     const Hanging hanging = co_await find_hanging(pace, model);
+    const std::pmr::vector<BoneSegment> drawn = co_await bone_segments(pace, model.tree, model.part_joints);
     const double gap = gap_cells * expected_spacing(placed, skin->options.vertices);
-    const PartDepths depths = co_await find_depths(pace, {placed, hanging.parts, hanging.apart, gap});
+    const PartDepths depths = co_await find_depths(pace, {placed, hanging.parts, drawn, hanging.apart, gap});
     co_await each(pace, placed.size(), Cost::some_ns, [&](uint32_t p) {
         placed[p].apart_from = depths.apart_from(p);
         placed[p].lift = depths.lift(p);

@@ -132,7 +132,9 @@ ImplicitPart::Sample ImplicitPart::sample(const Vec3& p) const {
     const Vec3 at = local(p);
     const RasterPlace place(part_->raster, at.x(), at.y());
     const FieldSample g = place.square(), lifted = lift_ ? lift_at(*lift_, place) : FieldSample{0, 0, 0};
-    const double squared = thickness_ * thickness_, w = at.z() - lifted.value;
+    // Where it rises it is as thick as elsewhere at right angles to itself.
+    const double squared = thickness_ * thickness_ * (1 + lifted.x * lifted.x + lifted.y * lifted.y);
+    const double w = at.z() - lifted.value;
     const double value = squared * g.value - w * w;
     const Vec3 gradient(squared * g.x + 2 * w * lifted.x, squared * g.y + 2 * w * lifted.y, -2 * w);
     const double steep_squared = gradient.squaredNorm(), steep = std::sqrt(steep_squared);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "inflation/part_front.h"
+#include "skeletons/node_clusters.h"
+#include "skeletons/point2.h"
 
 namespace flg {
 namespace {
@@ -16,6 +18,10 @@ constexpr double about_parallel = 0.9;  // cosine between normals
 constexpr double same_depth = 1e-6;     // of the drawing's size: planes that are nearer are one
 constexpr double no_rise = 1e-9;        // of the drawing's size
 constexpr double least_reach = 0.3;     // of `hold`: no part rises faster
+constexpr double fork = 2;               // of `hold`: up to there an overlap that begins where parts hang is a fork
+constexpr double broad = 3;              // of a part's radius: the same with what bears it, from `hold` on
+constexpr double gentle = 0.4, steepest = 1.5;  // a rise, by its reach
+constexpr double within = 0.6;           // of the height of what a part hangs on, that it may hang off the joint
 constexpr uint32_t sweeps = 4;          // over a raster's values outside
 
 // The way from where a part hangs, on its raster.
@@ -115,6 +121,8 @@ struct Pair {
     std::array<double, 2> before{};
     std::array<double, 2> hold{};  // of the limbs that they belong to there
     bool overlap = false, cross = false;
+    bool bones_cross = false;  // away from where they hang
+    bool is_rooted = false;    // where one hangs, the other bears it, directly or not, and is there too
     std::array<double, 2> needed = {0, 0};                // how far to move the first, the second in front
     std::array<double, 2> first = {HUGE_VAL, HUGE_VAL};  // the least way to where they cross; in contours' units
 };
@@ -129,6 +137,7 @@ public:
           pairs_(memory),
           ways_(memory),
           levels_(memory),
+          joints_(memory),
           order_(memory),
           unit_(memory),
           depth_(memory) {}
@@ -166,6 +175,12 @@ private:
             high = high.cwiseMax(shape.high());
         });
         all.size_ = (high - low).norm();
+        all.joints_.reserve(count);
+        co_await each(pace, count, Cost::hundreds_of_ns, [&](uint32_t p) {
+            const HungPart& hung = all.drawn_.hung[p];
+            const bool is_own = hung.parent == no_part || all.is_inside(hung.parent, hung.joint);
+            all.joints_.push_back(is_own ? hung.joint : hung.bearing);
+        });
         Slice slice(Cost::some_ns);
         for (uint32_t p = 0; p < count; ++p)
             for (uint32_t at = p; !all.is_root(at); at = all.drawn_.hung[at].parent) {
@@ -182,6 +197,8 @@ private:
         const double cosine = shapes_[part].normal().dot(front_);
         return std::fabs(cosine) < about_parallel ? 0 : cosine < 0 ? -1 : 1;
     }
+
+    bool bears_one(const Pair& pair) const { return pair.before[0] == bears_other || pair.before[1] == bears_other; }
 
     bool boxes_meet(uint32_t a, uint32_t b) const {
         return ((shapes_[a].low() - shapes_[b].high()).array() < 0).all() &&
@@ -216,7 +233,7 @@ private:
             const HungPart& hung = drawn_.hung[at[lower]];
             if (hung.parent == no_part) return false;
             if (limb[lower] != no_part)
-                pair.before[lower] += (hung.joint - drawn_.hung[limb[lower]].joint).norm();
+                pair.before[lower] += (joints_[at[lower]] - joints_[limb[lower]]).norm();
             limb[lower] = at[lower];
             pair.hold[lower] = hung.hold;
             at[lower] = hung.parent;
@@ -268,25 +285,100 @@ private:
         const Vec3 at = own.place({p.x, p.y, 0});
         for (uint32_t i = 0; i < 2; ++i)
             if (pair.before[i] != bears_other &&
-                (at - drawn_.hung[pair.parts[i]].joint).norm() + pair.before[i] < straight * pair.hold[i])
+                (at - joints_[pair.parts[i]]).norm() + pair.before[i] < straight * pair.hold[i])
                 return false;
         return true;
     }
 
     static Task<void> measure_crossings(Pace& pace, Arrangement& all) {
+        const Groups bones = co_await group_by(pace, all.drawn_.bones.size(), all.count(),
+                                               [&](uint32_t bone) { return all.drawn_.bones[bone].part; });
         for (Pair& pair : all.pairs_) {
             if (!pair.overlap) continue;
             for (uint32_t k = 0; k < 2; ++k)
                 if (pair.before[k] != bears_other) co_await measure_way(pace, all, pair.parts[k]);
-            for (uint32_t k = 0; k < 2; ++k)
-                co_await each(pace, all.shapes_[pair.parts[k]].part().points.size(), Cost::tens_of_ns,
-                              [&](uint32_t v) { all.look_at_crossing(pair, k, v); });
+            if (all.bears_one(pair)) {
+                pair.is_rooted = all.is_rooted(pair);
+            } else {
+                const auto own = bones.of(pair.parts[0]), others = bones.of(pair.parts[1]);
+                co_await each(pace, own.size() * others.size(), Cost::tens_of_ns, [&](uint32_t i) {
+                    if (!pair.bones_cross)
+                        pair.bones_cross = all.bones_cross(pair, own[i / others.size()], others[i % others.size()]);
+                });
+            }
+            for (uint32_t k = 0; k < 2; ++k) co_await measure_overlap(pace, all, pair, k);
         }
+    }
+
+    bool is_rooted(const Pair& pair) const {
+        const uint32_t limb = pair.before[0] == bears_other ? 1 : 0;
+        return is_inside(pair.parts[1 - limb], joints_[pair.parts[limb]]);
+    }
+    bool is_inside(uint32_t part, const Vec3& p) const {
+        const Vec3 at = shapes_[part].local(p);
+        return shapes_[part].squared_height(at.x(), at.y()) > at.z() * at.z();
+    }
+
+    // Seen from the front.
+    bool bones_cross(const Pair& pair, uint32_t own, uint32_t other) const {
+        const ImplicitPart& shape = shapes_[pair.parts[0]];
+        const auto flat = [&](const Vec3& p) {
+            const Vec3 at = shape.local(p);
+            return Point2{at.x(), at.y()};
+        };
+        const BoneSegment &a = drawn_.bones[own], &b = drawn_.bones[other];
+        const Point2 from = flat(a.from), to = flat(a.to);
+        if (!stretches_meet(from, to, flat(b.from), flat(b.to))) return false;
+        // Where they do.
+        const Vec3 across = b.to - b.from, along = a.to - a.from, between = b.from - a.from;
+        const double turn = along.cross(across).dot(front_);
+        const double share = turn != 0 ? std::clamp(between.cross(across).dot(front_) / turn, 0.0, 1.0) : 0;
+        const Vec3 at = a.from + share * along;
+        for (uint32_t i = 0; i < 2; ++i)
+            if (pair.before[i] + (at - joints_[pair.parts[i]]).norm() < pair.hold[i]) return false;
+        return true;
+    }
+
+    struct Met {
+        Over over;
+        std::array<double, 2> ways;
+        bool is_there = false, is_held = false;
+    };
+
+    // Overlaps that hang together with where the parts are held are told from the others.
+    static Task<void> measure_overlap(Pace& pace, const Arrangement& all, Pair& pair, uint32_t k) {
+        const InflatedPart& part = all.shapes_[pair.parts[k]].part();
+        const size_t vertices = part.points.size();
+        Buffer<Met> met(vertices, pace.memory());
+        NodeClusters pieces(vertices, pace.memory());
+        Buffer<double> beyond(vertices, pace.memory());  // by piece, how far it goes on; below 0: it is not held
+        co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+            std::construct_at(&met[v], all.meet(pair, k, v));
+            pieces.begin(v);
+            beyond[v] = bears_other;
+        });
+        co_await each(pace, part.triangles.size(), Cost::tens_of_ns, [&](uint32_t i) {
+            const TriangleVertices& t = part.triangles[i];
+            for (uint32_t c = 0; c < 3; ++c)
+                if (met[t[c]].is_there && met[t[(c + 1) % 3]].is_there) pieces.join(t[c], t[(c + 1) % 3]);
+        });
+        co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+            if (met[v].is_there && met[v].is_held) beyond[pieces.first(v)] = 0;
+        });
+        co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+            if (!met[v].is_there || beyond[pieces.first(v)] < 0) return;
+            double& farthest = beyond[pieces.first(v)];
+            farthest = std::max(farthest, all.beyond(pair, met[v]));
+        });
+        co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+            if (met[v].is_there && !met[v].is_held && all.crosses(pair, met[v], beyond[pieces.first(v)]))
+                all.add_crossing(pair, k, met[v]);
+        });
     }
 
     static Task<void> measure_way(Pace& pace, Arrangement& all, uint32_t part) {
         if (all.ways_[part].empty())
-            all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.drawn_.hung[part].joint);
+            all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.joints_[part]);
     }
 
     // In the contour's units; the nearest value on the raster.
@@ -297,21 +389,46 @@ private:
         return ways_[part][raster.width * row + column];
     }
 
-    void look_at_crossing(Pair& pair, uint32_t k, uint32_t vertex) const {
-        const uint32_t part = pair.parts[k], other = pair.parts[1 - k];
-        Over over;
-        if (!is_over(part, vertex, other, over)) return;
-        std::array<double, 2> ways = {HUGE_VAL, HUGE_VAL};
+    Met meet(const Pair& pair, uint32_t k, uint32_t vertex) const {
+        Met met{.over = {}, .ways = {HUGE_VAL, HUGE_VAL}};
+        met.is_there = is_over(pair.parts[k], vertex, pair.parts[1 - k], met.over);
+        if (!met.is_there) return met;
         for (uint32_t i = 0; i < 2; ++i) {
             if (pair.before[i] == bears_other) continue;
-            ways[i] = way(pair.parts[i], i == k ? shapes_[part].part().points[vertex] : over.at);
-            if (pair.before[i] + ways[i] * shapes_[pair.parts[i]].scale() < pair.hold[i]) return;
+            met.ways[i] = way(pair.parts[i], i == k ? shapes_[pair.parts[k]].part().points[vertex] : met.over.at);
+            met.is_held = met.is_held || total(pair, i, met.ways[i]) < pair.hold[i] ||
+                          (pair.is_rooted && met.ways[i] * shapes_[pair.parts[i]].scale() < drawn_.hung[pair.parts[i]].hold);
         }
+        return met;
+    }
+    // From what bears both.
+    double total(const Pair& pair, uint32_t i, double way) const {
+        return pair.before[i] + way * shapes_[pair.parts[i]].scale();
+    }
+    // Where both, or the one that hangs on the other, are held.
+    double beyond(const Pair& pair, const Met& met) const {
+        double least = HUGE_VAL;
+        for (uint32_t i = 0; i < 2; ++i)
+            if (pair.before[i] != bears_other) least = std::min(least, total(pair, i, met.ways[i]) - pair.hold[i]);
+        return std::max(0.0, least);
+    }
+
+    // `goes_on`: how far the overlap does from where the parts are held; below 0: it is another.
+    bool crosses(const Pair& pair, const Met& met, double goes_on) const {
+        if (goes_on < 0 || pair.bones_cross) return true;
+        if (bears_one(pair)) {
+            const uint32_t limb = pair.parts[pair.before[0] == bears_other ? 1 : 0];
+            return goes_on > broad * shapes_[limb].radius();
+        }
+        return total(pair, 0, met.ways[0]) > fork * pair.hold[0] && total(pair, 1, met.ways[1]) > fork * pair.hold[1];
+    }
+
+    void add_crossing(Pair& pair, uint32_t k, const Met& met) const {
         pair.cross = true;
-        const double heights = over.height + over.other + drawn_.gap;
-        pair.needed[k] = std::max(pair.needed[k], heights - over.behind);
-        pair.needed[1 - k] = std::max(pair.needed[1 - k], heights + over.behind);
-        for (uint32_t i = 0; i < 2; ++i) pair.first[i] = std::min(pair.first[i], ways[i]);
+        const double heights = met.over.height + met.over.other + drawn_.gap;
+        pair.needed[k] = std::max(pair.needed[k], heights - met.over.behind);
+        pair.needed[1 - k] = std::max(pair.needed[1 - k], heights + met.over.behind);
+        for (uint32_t i = 0; i < 2; ++i) pair.first[i] = std::min(pair.first[i], met.ways[i]);
     }
 
     // Larger: farther in front.
@@ -322,10 +439,13 @@ private:
         return {turned * hung.depth, std::round(plane / (same_depth * size_)), turned * part};
     }
 
+    // What bears a part stays where it is for that one.
+    bool moves_for(uint32_t part, const Pair& pair) const {
+        return pair.cross && ((pair.parts[0] == part && pair.before[0] != bears_other) ||
+                              (pair.parts[1] == part && pair.before[1] != bears_other));
+    }
     bool crosses_some(uint32_t part) const {
-        return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-            return pair.cross && (pair.parts[0] == part || pair.parts[1] == part);
-        });
+        return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) { return moves_for(part, pair); });
     }
 
     // Parts by level, those above before those that hang on them; each with the part that it moves with.
@@ -347,7 +467,7 @@ private:
     // Those before it in the order count.
     bool crosses_unit(uint32_t part, uint32_t unit) const {
         return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-            if (!pair.cross || (pair.parts[0] != part && pair.parts[1] != part)) return false;
+            if (!moves_for(part, pair)) return false;
             const uint32_t other = pair.parts[0] == part ? pair.parts[1] : pair.parts[0];
             return std::tuple(levels_[other], other) < std::tuple(levels_[part], part) && unit_[other] == unit;
         });
@@ -400,13 +520,18 @@ private:
             if (all.is_root(p) || all.side(p) == 0) continue;
             const HungPart& hung = all.drawn_.hung[p];
             const ImplicitPart above(with_lift(all.drawn_.parts[hung.parent], out.lifts[hung.parent]), hung.parent);
-            const Vec3 joint = above.local(hung.joint);
-            const double base = all.side(hung.parent) * above.scale() * above.lift(joint.x(), joint.y());
-            const double rise = all.depth_[all.unit_[p]] - base, unit = all.side(p) / all.shapes_[p].scale();
+            const Vec3 joint = above.local(all.joints_[p]);
+            double base = all.side(hung.parent) * above.scale() * above.lift(joint.x(), joint.y());
+            double rise = all.depth_[all.unit_[p]] - base;
+            const double scale = all.shapes_[p].scale(), unit = all.side(p) / scale;
             PartLift& lift = out.lifts[p];
+            lift.reach = std::max(first[p] < HUGE_VAL ? first[p] : hung.hold / scale, least_reach * hung.hold / scale);
+            const double room = within * above.scale() * std::sqrt(std::max(0.0, above.squared_height(joint.x(), joint.y())));
+            const double off = std::clamp(std::fabs(rise) - gentle * lift.reach * scale, 0.0, room);
+            base += std::copysign(off, rise);
+            rise -= std::copysign(off, rise);
             lift.base = base * unit;
-            const double hold = hung.hold / all.shapes_[p].scale();
-            lift.reach = std::max(first[p] < HUGE_VAL ? first[p] : hold, least_reach * hold);
+            lift.reach = std::max(lift.reach, std::fabs(rise) / (steepest * scale));
             if (std::fabs(rise) <= no_rise * all.size_ || !(lift.reach > 0)) continue;
             lift.rise = rise * unit;
             co_await measure_way(pace, all, p);
@@ -427,8 +552,7 @@ private:
         });
         co_await each(pace, all.pairs_.size(), Cost::tens_of_ns, [&](uint32_t i) {
             const Pair& pair = all.pairs_[i];
-            if (pair.cross && pair.before[0] != bears_other && pair.before[1] != bears_other)
-                apart.push_back(pair.parts);
+            if (pair.cross && !all.bears_one(pair)) apart.push_back(pair.parts);
         });
         out.apart = co_await group_by(pace, 2 * apart.size(), all.count(),
                                       [&](uint32_t end) { return apart[end / 2][end % 2]; });
@@ -448,6 +572,7 @@ private:
     std::pmr::vector<Pair> pairs_;
     std::pmr::deque<Buffer<double>> ways_;  // by part; none: not needed
     std::pmr::vector<uint32_t> levels_;     // by part: how many it hangs on, one on the other
+    std::pmr::vector<Vec3> joints_;         // by part: where it hangs
     std::pmr::vector<uint32_t> order_, unit_;
     std::pmr::vector<double> depth_;  // by unit
     Vec3 front_ = Vec3::UnitZ();

@@ -2,9 +2,10 @@
 // Parts drawn in one plane that cross: which of them are not welded, and how far each comes out of its plane so that
 // their surfaces don't cut through each other.
 //
-// Two parts cross where their bodies overlap farther from the part that both hang on (one of them, or the nearest that
-// bears both) than `hold`: up to there a limb is one with what it hangs on. Distances are measured within the contour
-// (part_front.h), from the joint it hangs on.
+// Two parts cross where their bodies overlap away from where they hang on the part that bears both, or on each other.
+// Up to `hold` from there a limb is one with what it hangs on; distances are measured within the contour
+// (part_front.h). Beyond, an overlap that goes on from there is still a fork or a broad attachment and no crossing: up
+// to some more of `hold`, unless the bones cross.
 //
 // 1. Order. The part with the larger depth is in front; else the one whose plane is; else the one drawn later. Front is
 //    where the normals of the first root point; the image of a part in a mirror across that faces the other way.
@@ -12,7 +13,8 @@
 //    on them and crosses nothing, stay where they are.
 // 3. Each crossing asks for a distance: the sum of both heights, where that is most, and a gap. Distances chain up along
 //    the order from both ends; a limb takes the middle of both sums: the least depth for all that are free.
-// 4. A part rises evenly from the joint to where it first crosses another.
+// 4. A part rises evenly from the joint to where it first crosses another. Where that would be steep, it hangs in front
+//    of the joint or behind it, still within what it hangs on.
 //
 // Only parts whose planes are about parallel to that of the first root come out of them.
 #pragma once
@@ -24,6 +26,7 @@
 #include "inflation/implicit_parts.h"
 #include "runtime/each.h"
 #include "runtime/task.h"
+#include "skeletons/bone_tree.h"
 
 namespace flg {
 
@@ -32,7 +35,8 @@ inline constexpr uint32_t no_part = UINT32_MAX;
 // How a part hangs on others.
 struct HungPart {
     uint32_t parent = no_part;
-    Vec3 joint = Vec3::Zero();  // of the parent, that it hangs on
+    Vec3 joint = Vec3::Zero();    // its own that it hangs by
+    Vec3 bearing = Vec3::Zero();  // the parent's that it hangs on; counts where its own is outside of the parent
     double hold = 0;            // from there: so far it is one with the parent
     uint32_t twin = no_part;    // its mirror image: they don't move out of each other's way
     double depth = 0;           // larger: farther in front; equal: as they were drawn
@@ -42,6 +46,7 @@ struct HungPart {
 struct DrawnParts {
     std::span<const PlacedPart> parts;  // in the order they were drawn
     std::span<const HungPart> hung;     // by part
+    std::span<const BoneSegment> bones;
     std::span<const std::array<uint32_t, 2>> apart;  // pairs that are not welded even where they only touch
     double gap = 0;                                  // between surfaces that pass each other
 };
