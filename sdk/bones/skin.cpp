@@ -65,6 +65,7 @@ Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
         const ModelPart& part = model.parts[p];
         HungPart& hung = out.parts[p];
         hung.twin = part.twin;
+        hung.depth = part.depth;
         if (part.twin != no_number)
             hung.is_turned = part.is_mirrored && part.placement.col(2).dot(model.parts[part.twin].placement.col(2)) < 0;
         const BoneJoint& own = model.tree.joints[model.part_joints[p]];
@@ -74,6 +75,7 @@ Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
         hung.bearing = bearing.at;
         hung.hold = held * (bearing.radius + own.radius);
     });
+    co_await each(pace, model.apart.size(), Cost::some_ns, [&](uint32_t i) { out.apart.push_back(model.apart[i]); });
     for (uint32_t p = 0; p < model.parts.size(); ++p) {
         const uint32_t twin = model.parts[p].twin;
         if (twin != no_number && p < twin && co_await is_beside_mirror(pace, model, model.parts[p]))
