@@ -176,8 +176,8 @@ ModelDrawing read_model_drawing(const std::string& path) {
 ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& subject,
                               const std::filesystem::path& folder) {
     const JsonPlace whole(json, subject + ": model");
-    whole.allow(
-        {"parts", "mirror", "simplify", "merge", "prune", "collapse", "detail", "root", "root_joint", "joints", "apart"});
+    whole.allow({"parts", "mirror", "simplify", "merge", "prune", "collapse", "detail", "root", "root_joint", "joints",
+                 "apart"});
     ModelDrawing drawing;
     if (const auto place = whole.find("mirror")) {
         const std::vector<double> plane = read_numbers(*place, 4);

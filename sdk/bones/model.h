@@ -23,7 +23,7 @@ struct ModelPart {
     Eigen::Matrix<double, 3, 4> placement = Eigen::Matrix<double, 3, 4>::Identity();
     double scale = 1;  // of the placement
     double thickness = 1;
-    double depth = 0;  // as FlgModelPart has it
+    double depth = 0;                          // as FlgModelPart has it
     FlgBoneThresholds thresholds{};            // shares of the model's size
     std::pmr::vector<double> branch_simplify;  // by branch, negative: the part's; none: all the part's
     std::pmr::string name, suffix;
@@ -72,8 +72,8 @@ public:
     Vec3 mirror_normal = Vec3::UnitX();
     double mirror_offset = 0;
     std::pmr::vector<std::array<uint32_t, 2>> apart;  // parts that the host does not want welded
-    uint32_t root = no_number;    // a part; no_number: to be found
-    std::pmr::string root_joint;  // its key; none: the middle
+    uint32_t root = no_number;                        // a part; no_number: to be found
+    std::pmr::string root_joint;                      // its key; none: the middle
     std::pmr::vector<JointEdit> edits;
     std::shared_ptr<const HeldModel> previous;  // until the job is done
 

@@ -88,8 +88,7 @@ Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
 Task<void> lift_joints(Pace& pace, std::span<const PlacedPart> placed, BoneTree& tree) {
     std::pmr::vector<ImplicitPart> shapes(pace.memory());
     shapes.reserve(placed.size());
-    co_await each(pace, placed.size(), Cost::hundreds_of_ns,
-                  [&](uint32_t p) { shapes.emplace_back(placed[p], p); });
+    co_await each(pace, placed.size(), Cost::hundreds_of_ns, [&](uint32_t p) { shapes.emplace_back(placed[p], p); });
     co_await each(pace, tree.joints.size(), Cost::hundreds_of_ns, [&](uint32_t j) {
         BoneJoint& joint = tree.joints[j];
         const ImplicitPart& shape = shapes[joint.part];

@@ -287,7 +287,8 @@ Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, Mer
     const double spacing = fine_spacing(parts, coarse, counted, options);
     parts.set_gap(gap_cells * spacing);
     DualSurface surface = co_await surface_on_lattice(pace, parts, spacing);
-    const bool some_apart = std::any_of(placed.begin(), placed.end(), [](const auto& p) { return !p.apart_from.empty(); });
+    const bool some_apart =
+        std::any_of(placed.begin(), placed.end(), [](const auto& p) { return !p.apart_from.empty(); });
     if (some_apart) co_await drop_specks(pace, surface);
     const Buffer<PartUnion::Sample> samples =
         co_await improve_mesh(pace, parts, spacing, surface.positions, surface.triangles);

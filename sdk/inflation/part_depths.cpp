@@ -18,11 +18,11 @@ constexpr double about_parallel = 0.9;  // cosine between normals
 constexpr double same_depth = 1e-6;     // of the drawing's size: planes that are nearer are one
 constexpr double no_rise = 1e-9;        // of the drawing's size
 constexpr double least_reach = 0.3;     // of `hold`: no part rises faster
-constexpr double fork = 2;               // of `hold`: up to there an overlap that begins where parts hang is a fork
-constexpr double broad = 3;              // of a part's radius: the same with what bears it, from `hold` on
+constexpr double fork = 2;              // of `hold`: up to there an overlap that begins where parts hang is a fork
+constexpr double broad = 3;             // of a part's radius: the same with what bears it, from `hold` on
 constexpr double gentle = 0.4, steepest = 1.5;  // a rise, by its reach
-constexpr double within = 0.6;           // of the height of what a part hangs on, that it may hang off the joint
-constexpr uint32_t sweeps = 4;          // over a raster's values outside
+constexpr double within = 0.6;                  // of the height of what a part hangs on, that it may hang off the joint
+constexpr uint32_t sweeps = 4;                  // over a raster's values outside
 
 // The way from where a part hangs, on its raster.
 class Ways {
@@ -121,9 +121,9 @@ struct Pair {
     std::array<double, 2> before{};
     std::array<double, 2> hold{};  // of the limbs that they belong to there
     bool overlap = false, cross = false;
-    bool bones_cross = false;  // away from where they hang
-    bool is_rooted = false;    // where one hangs, the other bears it, directly or not, and is there too
-    std::array<double, 2> needed = {0, 0};                // how far to move the first, the second in front
+    bool bones_cross = false;               // away from where they hang
+    bool is_rooted = false;                 // where one hangs, the other bears it, directly or not, and is there too
+    std::array<double, 2> needed = {0, 0};  // how far to move the first, the second in front
     std::array<double, 2> first = {HUGE_VAL, HUGE_VAL};  // the least way to where they cross; in contours' units
 };
 
@@ -232,8 +232,7 @@ private:
             const uint32_t lower = levels_[at[0]] >= levels_[at[1]] ? 0 : 1;
             const HungPart& hung = drawn_.hung[at[lower]];
             if (hung.parent == no_part) return false;
-            if (limb[lower] != no_part)
-                pair.before[lower] += (joints_[at[lower]] - joints_[limb[lower]]).norm();
+            if (limb[lower] != no_part) pair.before[lower] += (joints_[at[lower]] - joints_[limb[lower]]).norm();
             limb[lower] = at[lower];
             pair.hold[lower] = hung.hold;
             at[lower] = hung.parent;
@@ -377,8 +376,7 @@ private:
     }
 
     static Task<void> measure_way(Pace& pace, Arrangement& all, uint32_t part) {
-        if (all.ways_[part].empty())
-            all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.joints_[part]);
+        if (all.ways_[part].empty()) all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.joints_[part]);
     }
 
     // In the contour's units; the nearest value on the raster.
@@ -396,8 +394,9 @@ private:
         for (uint32_t i = 0; i < 2; ++i) {
             if (pair.before[i] == bears_other) continue;
             met.ways[i] = way(pair.parts[i], i == k ? shapes_[pair.parts[k]].part().points[vertex] : met.over.at);
-            met.is_held = met.is_held || total(pair, i, met.ways[i]) < pair.hold[i] ||
-                          (pair.is_rooted && met.ways[i] * shapes_[pair.parts[i]].scale() < drawn_.hung[pair.parts[i]].hold);
+            met.is_held =
+                met.is_held || total(pair, i, met.ways[i]) < pair.hold[i] ||
+                (pair.is_rooted && met.ways[i] * shapes_[pair.parts[i]].scale() < drawn_.hung[pair.parts[i]].hold);
         }
         return met;
     }
@@ -496,14 +495,16 @@ private:
         // From behind, and from the front; what stays where it is begins anew.
         for (const Asked& ask : asked) {
             least[ask.front] = std::max(least[ask.front], is_root(ask.front) ? 0 : least[ask.behind] + ask.distance);
-            if (!is_root(ask.behind)) behind[ask.front] = std::max(behind[ask.front], behind[ask.behind] + ask.distance);
+            if (!is_root(ask.behind))
+                behind[ask.front] = std::max(behind[ask.front], behind[ask.behind] + ask.distance);
         }
         std::sort(asked.begin(), asked.end(), [&](const Asked& a, const Asked& b) {
             return std::tuple(rank(a.front), a.behind) > std::tuple(rank(b.front), b.behind);
         });
         for (const Asked& ask : asked) {
             most[ask.behind] = std::min(most[ask.behind], is_root(ask.behind) ? 0 : most[ask.front] - ask.distance);
-            if (!is_root(ask.front)) before[ask.behind] = std::max(before[ask.behind], before[ask.front] + ask.distance);
+            if (!is_root(ask.front))
+                before[ask.behind] = std::max(before[ask.behind], before[ask.front] + ask.distance);
         }
         depth_.resize(count());
         for (uint32_t p = 0; p < count(); ++p)
@@ -526,7 +527,8 @@ private:
             const double scale = all.shapes_[p].scale(), unit = all.side(p) / scale;
             PartLift& lift = out.lifts[p];
             lift.reach = std::max(first[p] < HUGE_VAL ? first[p] : hung.hold / scale, least_reach * hung.hold / scale);
-            const double room = within * above.scale() * std::sqrt(std::max(0.0, above.squared_height(joint.x(), joint.y())));
+            const double room =
+                within * above.scale() * std::sqrt(std::max(0.0, above.squared_height(joint.x(), joint.y())));
             const double off = std::clamp(std::fabs(rise) - gentle * lift.reach * scale, 0.0, room);
             base += std::copysign(off, rise);
             rise -= std::copysign(off, rise);

@@ -11,8 +11,8 @@
 //    where the normals of the first root point; the image of a part in a mirror across that faces the other way.
 // 2. Limbs with all that hangs on them move as one, unless some of that crosses the rest of it. Roots, and what hangs
 //    on them and crosses nothing, stay where they are.
-// 3. Each crossing asks for a distance: the sum of both heights, where that is most, and a gap. Distances chain up along
-//    the order from both ends; a limb takes the middle of both sums: the least depth for all that are free.
+// 3. Each crossing asks for a distance: the sum of both heights, where that is most, and a gap. Distances chain up
+//    along the order from both ends; a limb takes the middle of both sums: the least depth for all that are free.
 // 4. A part rises evenly from the joint to where it first crosses another. Where that would be steep, it hangs in front
 //    of the joint or behind it, still within what it hangs on.
 //
@@ -37,10 +37,10 @@ struct HungPart {
     uint32_t parent = no_part;
     Vec3 joint = Vec3::Zero();    // its own that it hangs by
     Vec3 bearing = Vec3::Zero();  // the parent's that it hangs on; counts where its own is outside of the parent
-    double hold = 0;            // from there: so far it is one with the parent
-    uint32_t twin = no_part;    // its mirror image: they don't move out of each other's way
-    double depth = 0;           // larger: farther in front; equal: as they were drawn
-    bool is_turned = false;     // an image in a mirror across the drawing: it faces backwards
+    double hold = 0;              // from there: so far it is one with the parent
+    uint32_t twin = no_part;      // its mirror image: they don't move out of each other's way
+    double depth = 0;             // larger: farther in front; equal: as they were drawn
+    bool is_turned = false;       // an image in a mirror across the drawing: it faces backwards
 };
 
 struct DrawnParts {
@@ -57,7 +57,9 @@ struct PartDepths {
     // Parts that are not welded with a part.
     std::span<const uint32_t> apart_from(uint32_t part) const { return apart.of(part); }
     // How far a part is out of its plane; none: not at all.
-    const PartLift* lift(uint32_t part) const { return lifts[part].base != 0 || lifts[part].rise != 0 ? &lifts[part] : nullptr; }
+    const PartLift* lift(uint32_t part) const {
+        return lifts[part].base != 0 || lifts[part].rise != 0 ? &lifts[part] : nullptr;
+    }
 
     Groups apart;
     std::pmr::deque<PartLift> lifts;  // by part

@@ -246,7 +246,7 @@ private:
     // The change that is under way: of the triangle whose event it is, or of one that was reached from it.
     int32_t begun_ = -1, changing_ = -1;
     uint32_t side_ = 0;
-    bool walks_ = false;        // it is still to be found
+    bool walks_ = false;  // it is still to be found
     // The way there: triangles, each with the side that it was left by.
     struct Hop {
         int32_t triangle;

@@ -23,8 +23,7 @@ inline Place from_to(const Place& a, const Place& b) {
 // Six times the volume of a tetrahedron.
 inline double volume(const Place& a, const Place& b, const Place& c, const Place& d) {
     const Place x = from_to(a, b), y = from_to(a, c), z = from_to(a, d);
-    return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
-           x[2] * (y[0] * z[1] - y[1] * z[0]);
+    return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) + x[2] * (y[0] * z[1] - y[1] * z[0]);
 }
 
 inline bool passes(const Place& from, const Place& to, const std::array<Place, 3>& t) {

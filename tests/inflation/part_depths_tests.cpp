@@ -89,8 +89,16 @@ TEST(PartDepths, DepthThenPlaneThenOrderDecide) {
 // A tail around to the front of the body that it hangs on.
 TEST(PartDepths, LimbsPassInFrontOfWhatTheyHangOn) {
     Limbs limbs;
-    limbs.model.add({{{1.2, 0}, {1.2, 0.3}, {2.4, 0.3}, {2.4, -1.3}, {-0.3, -1.3}, {-0.3, 0.4}, {0, 0.4}, {0, -1},
-                      {2.1, -1}, {2.1, 0}}},
+    limbs.model.add({{{1.2, 0},
+                      {1.2, 0.3},
+                      {2.4, 0.3},
+                      {2.4, -1.3},
+                      {-0.3, -1.3},
+                      {-0.3, 0.4},
+                      {0, 0.4},
+                      {0, -1},
+                      {2.1, -1},
+                      {2.1, 0}}},
                     placement({0, 0, 0}), 0.75);
     limbs.model.chain({{1.3, 0.15, 0}, {2.25, 0.15, 0}, {2.25, -1.15, 0}, {-0.15, -1.15, 0}, {-0.15, 0.3, 0}}, 0.14);
     limbs.hung.push_back({.parent = 0, .joint = {1.3, 0.15, 0}, .bearing = {1, 0, 0}, .hold = 1});

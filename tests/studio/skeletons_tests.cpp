@@ -177,7 +177,8 @@ Rig forked() {
                 {2.4f, -2.4f, 0}, {2.5f, 0.8f, 0}, {2.6f, 1.7f, 0}, {2.4f, 2.4f, 0}};
     rig.parents = {FLG_NO_INDEX, 0, 1, 2, 3, 4, 2, 6, 7};
     rig.child_counts = {1, 1, 2, 1, 1, 0, 1, 1, 0};
-    for (size_t j = 0; j < rig.rest.size(); ++j) rig.names.push_back("joint_" + std::to_string(j));
+    for (size_t j = 0; j < rig.rest.size(); ++j) rig.keys.push_back("joint_" + std::to_string(j));
+    rig.names = rig.keys;
     rig.radii.assign(rig.rest.size(), 0.2f);
     rig.parts.assign(rig.rest.size(), 1);
     rig.size = 8.0f;

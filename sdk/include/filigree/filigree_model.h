@@ -349,9 +349,9 @@ typedef struct FlgSkinDesc {
 FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds it to the
- * joints. Weights are smooth, 0 to 1, at most 4 per vertex, and a part moves with its own bones. Limbs that cross other
- * parts pass in front of them or behind (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more than max_vertices, or if a part lies
- * further from the origin than 1e7 sides of the triangles that vertex_count asks for. Cost: 15 us a vertex. */
+ * joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in front of them or behind
+ * (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more
+ * than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost: 15 us a vertex. */
 FLG_API FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
 /* The arrays live until the skin is released. FLG_NOT_READY until its job is published, the job's error if it
