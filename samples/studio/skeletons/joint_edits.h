@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What users set about joints, as edits of the drawing (FlgJointEdit). Keys are without the side that mirror images add,
-// so an edit is of both.
+// What users set about joints, as edits of the drawing (FlgJointEdit). Keys are without the side that mirror images
+// add, so an edit is of both.
 #pragma once
 
 #include "skeletons/rig.h"

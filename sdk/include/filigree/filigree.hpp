@@ -4303,10 +4303,10 @@ public:
     }
 
     /// Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds it
-    /// to the joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in front of
-    /// them or behind (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the
-    /// thinnest part needs more than max_vertices, or if a part lies further from the origin than 1e7 sides of a
-    /// triangle. Cost: 15 us a vertex.
+    /// to the joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in front or
+    /// behind (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest
+    /// part needs more than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost:
+    /// 15 us a vertex.
     /// Calls flgSkinCreate.
     Result<Skin> skin(const SkinDesc& desc, Job* out_job = nullptr) const {
         FlgSkin out_skin{};
