@@ -10,7 +10,7 @@
 namespace flg::studio {
 namespace {
 
-constexpr float kReach = 9.0f, kStart = 3.0f;  // units of the layout
+constexpr float kStart = 3.0f;  // units of the layout: so far the mouse may go without moving the joint
 
 bool is_in_contour(const Contour& contour, const glm::dvec2& at) {
     bool is_in = false;
@@ -40,7 +40,7 @@ std::vector<uint32_t> JointTool::bright(const Rig& rig) const {
 bool JointTool::pointer(const Pointer& mouse, const Rig& rig, const PosedJoints& joints) {
     const View& view = editor_.app.view;
     if (dragged_.empty())
-        hovered_ = mouse.inside ? joint_at(view, mouse.px, rig, joints, kReach * editor_.app.scale) : std::nullopt;
+        hovered_ = mouse.inside ? joint_at(view, mouse.px, rig, joints, kJointReach * editor_.app.scale) : std::nullopt;
     if (mouse.pressed && mouse.inside) {
         editor_.commit();
         selected_ = hovered_ ? key_of(rig, *hovered_) : std::string();
@@ -84,7 +84,7 @@ void JointTool::overlay(ImDrawList& list, const Rig& rig, const PosedJoints& joi
     for (uint32_t j = 0; j < rig.count(); ++j) {
         const auto at = view.project(joints.at[j]);
         if (!at) continue;
-        ui::mark("joint " + rig.names[j], {*at - kReach * unit, *at + kReach * unit});
+        ui::mark("joint " + rig.names[j], {*at - kJointReach * unit, *at + kJointReach * unit});
         if (rig.pinned[j]) list.AddCircleFilled({at->x, at->y}, 3.5f * unit, ink::kShade);
         const bool is_chosen = chosen && key_of(rig, *chosen) == key_of(rig, j);
         if (!is_chosen && hovered_ != j) continue;

@@ -22,6 +22,8 @@ std::vector<glm::vec2> ring_in_window(const View& view, const DrawnPart& part, c
                                       const glm::vec4* mirror = nullptr);
 bool is_in_polygon(std::span<const glm::vec2> polygon, glm::vec2 px);
 
+constexpr float kJointReach = 9.0f;  // units of the layout
+
 // The nearest joint within its ball, as it is drawn, or within `reach` pixels.
 std::optional<uint32_t> joint_at(const View& view, glm::vec2 px, const Rig& rig, const PosedJoints& joints,
                                  float reach);

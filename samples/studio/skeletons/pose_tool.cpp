@@ -13,7 +13,6 @@
 namespace flg::studio {
 namespace {
 
-constexpr float kReach = 9.0f;             // units of the layout
 constexpr float kTurn_per_unit = 0.0125f;  // radians
 
 }  // namespace
@@ -26,8 +25,8 @@ std::vector<uint32_t> PoseTool::bright(const Rig& rig) const {
 
 void PoseTool::pointer(const Pointer& mouse, const Rig& rig, const PosedJoints& joints) {
     if (!dragged_)
-        hovered_ =
-            mouse.inside ? joint_at(editor_.app.view, mouse.px, rig, joints, kReach * editor_.app.scale) : std::nullopt;
+        hovered_ = mouse.inside ? joint_at(editor_.app.view, mouse.px, rig, joints, kJointReach * editor_.app.scale)
+                                : std::nullopt;
     if (mouse.pressed && mouse.inside && hovered_) {
         editor_.commit();
         if (mouse.double_clicked) {
@@ -69,7 +68,7 @@ void PoseTool::overlay(ImDrawList& list, const Rig& rig, const PosedJoints& join
     const float unit = editor_.app.scale;
     for (uint32_t j = 0; j < rig.count(); ++j) {
         const auto at = view.project(joints.at[j]);
-        if (at) ui::mark("joint " + rig.names[j], {*at - kReach * unit, *at + kReach * unit});
+        if (at) ui::mark("joint " + rig.names[j], {*at - kJointReach * unit, *at + kJointReach * unit});
     }
     const auto lit = dragged_ ? dragged_ : hovered_;
     if (!lit || *lit >= rig.count()) return;
