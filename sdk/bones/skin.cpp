@@ -165,7 +165,7 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     const Hanging hanging = co_await find_hanging(pace, model);
     const std::pmr::vector<BoneSegment> drawn = co_await bone_segments(pace, model.tree, model.part_joints);
     const double gap = gap_cells * expected_spacing(placed, skin->options.vertices);
-    const PartDepths depths = co_await find_depths(pace, {placed, hanging.parts, drawn, hanging.apart, gap});
+    PartDepths depths = co_await find_depths(pace, {placed, hanging.parts, drawn, hanging.apart, gap});
     co_await each(pace, placed.size(), Cost::some_ns, [&](uint32_t p) {
         placed[p].apart_from = depths.apart_from(p);
         placed[p].lift = depths.lift(p);
@@ -180,6 +180,7 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     skin->weights = co_await bone_weights(pace, skin->mesh, placed, rig, BoneWeightOptions());
     // One by one: all at once they would take longer to be given back than a slice may.
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
+    for (; !depths.lifts.empty(); depths.lifts.pop_back()) co_await pace;
     co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
     co_await each(pace, skin->tree.joints.size(), Cost::some_ns, [&](uint32_t j) { skin->show_joint(j); });
 }

@@ -138,7 +138,6 @@ public:
           ways_(memory),
           levels_(memory),
           joints_(memory),
-          order_(memory),
           unit_(memory),
           depth_(memory) {}
 
@@ -151,11 +150,13 @@ public:
         PartDepths out(pace.memory());
         out.lifts.resize(all.count());
         if (std::any_of(all.pairs_.begin(), all.pairs_.end(), [](const Pair& pair) { return pair.cross; })) {
-            all.make_units();
-            all.choose_depths();
+            co_await make_units(pace, all);
+            co_await choose_depths(pace, all);
             co_await set_lifts(pace, all, out);
         }
         co_await list_apart(pace, all, out);
+        // One by one: all at once they would take longer to be given back than a slice may.
+        for (; !all.ways_.empty(); all.ways_.pop_back()) co_await pace;
         co_return out;
     }
 
@@ -205,23 +206,16 @@ private:
                ((shapes_[b].low() - shapes_[a].high()).array() < 0).all();
     }
 
-    // From left to right: each part with those that begin before it ends.
     static Task<void> list_pairs(Pace& pace, Arrangement& all) {
-        std::pmr::vector<uint32_t> order(all.count(), pace.memory());
-        for (uint32_t p = 0; p < all.count(); ++p) order[p] = p;
-        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-            return std::tuple(all.shapes_[a].low().x(), a) < std::tuple(all.shapes_[b].low().x(), b);
-        });
-        Slice slice(Cost::tens_of_ns);
-        for (size_t i = 0; i < order.size(); ++i)
-            for (size_t j = i + 1; j < order.size(); ++j) {
-                const uint32_t a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
-                if (all.shapes_[order[j]].low().x() > all.shapes_[order[i]].high().x()) break;
+        Slice slice(Cost::some_ns);
+        for (uint32_t a = 0; a < all.count(); ++a)
+            for (uint32_t b = a + 1; b < all.count(); ++b) {
                 if (slice.is_over()) co_await pace;
-                if (all.drawn_.hung[a].twin == b || all.side(a) == 0 || all.side(b) == 0 || !all.boxes_meet(a, b))
+                if (!all.boxes_meet(a, b) || all.drawn_.hung[a].twin == b || all.side(a) == 0 || all.side(b) == 0)
                     continue;
                 Pair pair{.parts = {a, b}};
                 if (all.measure_before(pair)) all.pairs_.push_back(pair);
+                if (slice.is_over(all.levels_[a] + all.levels_[b] + 16)) co_await pace;
             }
     }
 
@@ -269,7 +263,7 @@ private:
         for (Pair& pair : all.pairs_)
             for (uint32_t k = 0; k < 2; ++k) {
                 const uint32_t part = pair.parts[k], other = pair.parts[1 - k];
-                co_await each(pace, all.shapes_[part].part().points.size(), Cost::tens_of_ns, [&](uint32_t v) {
+                co_await each(pace, all.shapes_[part].part().points.size(), Cost::hundreds_of_ns, [&](uint32_t v) {
                     Over over;
                     if (!pair.overlap) pair.overlap = all.is_over(part, v, other, over) && all.may_cross(pair, k, v);
                 });
@@ -351,7 +345,7 @@ private:
         Buffer<Met> met(vertices, pace.memory());
         NodeClusters pieces(vertices, pace.memory());
         Buffer<double> beyond(vertices, pace.memory());  // by piece, how far it goes on; below 0: it is not held
-        co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+        co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t v) {
             std::construct_at(&met[v], all.meet(pair, k, v));
             pieces.begin(v);
             beyond[v] = bears_other;
@@ -443,81 +437,110 @@ private:
         return pair.cross && ((pair.parts[0] == part && pair.before[0] != bears_other) ||
                               (pair.parts[1] == part && pair.before[1] != bears_other));
     }
-    bool crosses_some(uint32_t part) const {
-        return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) { return moves_for(part, pair); });
-    }
-
     // Parts by level, those above before those that hang on them; each with the part that it moves with.
-    void make_units() {
-        order_.resize(count());
-        unit_.resize(count());
-        for (uint32_t p = 0; p < count(); ++p) order_[p] = p;
-        std::sort(order_.begin(), order_.end(),
-                  [&](uint32_t a, uint32_t b) { return std::tuple(levels_[a], a) < std::tuple(levels_[b], b); });
-        for (const uint32_t p : order_) {
-            unit_[p] = p;
-            if (is_root(p)) continue;
-            const uint32_t above = unit_[drawn_.hung[p].parent];
-            if (drawn_.hung[p].depth != drawn_.hung[above].depth && crosses_some(p)) continue;
-            const bool is_free = is_root(above) ? !crosses_some(p) : !crosses_unit(p, above);
-            if (is_free) unit_[p] = above;
-        }
-    }
-    // Those before it in the order count.
-    bool crosses_unit(uint32_t part, uint32_t unit) const {
-        return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-            if (!moves_for(part, pair)) return false;
-            const uint32_t other = pair.parts[0] == part ? pair.parts[1] : pair.parts[0];
-            return std::tuple(levels_[other], other) < std::tuple(levels_[part], part) && unit_[other] == unit;
+    static Task<void> make_units(Pace& pace, Arrangement& all) {
+        all.unit_.resize(all.count());
+        all.order_ = co_await group_by(pace, all.count(), all.count(), [&](uint32_t p) { return all.levels_[p]; });
+        const Groups crossings = co_await group_by(pace, 2 * all.pairs_.size(), all.count(), [&](uint32_t end) {
+            const Pair& pair = all.pairs_[end / 2];
+            return all.moves_for(pair.parts[end % 2], pair) ? pair.parts[end % 2] : no_key;
+        });
+        co_await each_by_work(pace, all.count(), Cost::tens_of_ns, [&](uint32_t i) {
+            const uint32_t p = all.order_.items[i];
+            const auto own = crossings.of(p);
+            all.unit_[p] = p;
+            if (all.is_root(p)) return 1u;
+            const uint32_t above = all.unit_[all.drawn_.hung[p].parent];
+            const bool is_deeper = all.drawn_.hung[p].depth != all.drawn_.hung[above].depth && !own.empty();
+            // Of the others those count that come before it.
+            const bool crosses = std::any_of(own.begin(), own.end(), [&](uint32_t end) {
+                const uint32_t other = all.pairs_[end / 2].parts[1 - end % 2];
+                return all.is_root(above) || (std::tuple(all.levels_[other], other) < std::tuple(all.levels_[p], p) &&
+                                              all.unit_[other] == above);
+            });
+            if (!is_deeper && !crosses) all.unit_[p] = above;
+            return 1 + static_cast<uint32_t>(own.size());
         });
     }
 
+    // Units from behind to the front: sorted by a heap, as that may pause.
+    static Task<Buffer<uint32_t>> sort_by_rank(Pace& pace, const Arrangement& all) {
+        Buffer<uint32_t> order(all.count(), pace.memory());
+        const auto is_behind = [&](uint32_t a, uint32_t b) { return all.rank(a) < all.rank(b); };
+        co_await each(pace, all.count(), Cost::hundreds_of_ns, [&](uint32_t p) {
+            order[p] = p;
+            std::push_heap(order.begin(), order.begin() + p + 1, is_behind);
+        });
+        co_await each(pace, all.count(), Cost::microseconds,
+                      [&](uint32_t i) { std::pop_heap(order.begin(), order.end() - i, is_behind); });
+        co_return order;
+    }
+
     // Of each unit, along the drawing's front.
-    void choose_depths() {
+    static Task<void> choose_depths(Pace& pace, Arrangement& all) {
         struct Asked {
             uint32_t behind, front;
             double distance;
         };
-        std::pmr::vector<Asked> asked(pairs_.get_allocator());
-        for (const Pair& pair : pairs_) {
-            const uint32_t a = unit_[pair.parts[0]], b = unit_[pair.parts[1]];
-            if (!pair.cross || a == b) continue;
-            const bool a_behind = rank(a) < rank(b);
+        const uint32_t count = all.count();
+        std::pmr::deque<Asked> asked(pace.memory());
+        co_await each(pace, all.pairs_.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
+            const Pair& pair = all.pairs_[i];
+            const uint32_t a = all.unit_[pair.parts[0]], b = all.unit_[pair.parts[1]];
+            if (!pair.cross || a == b) return;
+            const bool a_behind = all.rank(a) < all.rank(b);
             asked.push_back({a_behind ? a : b, a_behind ? b : a, pair.needed[a_behind ? 1 : 0]});
-        }
-        std::sort(asked.begin(), asked.end(), [&](const Asked& a, const Asked& b) {
-            return std::tuple(rank(a.behind), a.front) < std::tuple(rank(b.behind), b.front);
         });
-        std::pmr::vector<double> behind(count(), 0, pairs_.get_allocator()), before(behind),
-            least(count(), -HUGE_VAL, pairs_.get_allocator()), most(count(), HUGE_VAL, pairs_.get_allocator());
-        for (uint32_t p = 0; p < count(); ++p)
-            if (is_root(p)) least[p] = most[p] = 0;
-        // From behind, and from the front; what stays where it is begins anew.
-        for (const Asked& ask : asked) {
-            least[ask.front] = std::max(least[ask.front], is_root(ask.front) ? 0 : least[ask.behind] + ask.distance);
-            if (!is_root(ask.behind))
-                behind[ask.front] = std::max(behind[ask.front], behind[ask.behind] + ask.distance);
-        }
-        std::sort(asked.begin(), asked.end(), [&](const Asked& a, const Asked& b) {
-            return std::tuple(rank(a.front), a.behind) > std::tuple(rank(b.front), b.behind);
+        const Groups from = co_await group_by(pace, asked.size(), count, [&](uint32_t i) { return asked[i].behind; });
+        const Groups to = co_await group_by(pace, asked.size(), count, [&](uint32_t i) { return asked[i].front; });
+        const Buffer<uint32_t> order = co_await sort_by_rank(pace, all);
+        struct Chain {
+            double behind = 0, before = 0;              // sums of distances, from what moves
+            double least = -HUGE_VAL, most = HUGE_VAL;  // because of what does not
+        };
+        std::pmr::vector<Chain> chains(count, pace.memory());
+        co_await each(pace, count, Cost::some_ns, [&](uint32_t p) {
+            if (all.is_root(p)) chains[p].least = chains[p].most = 0;
         });
-        for (const Asked& ask : asked) {
-            most[ask.behind] = std::min(most[ask.behind], is_root(ask.behind) ? 0 : most[ask.front] - ask.distance);
-            if (!is_root(ask.front))
-                before[ask.behind] = std::max(before[ask.behind], before[ask.front] + ask.distance);
-        }
-        depth_.resize(count());
-        for (uint32_t p = 0; p < count(); ++p)
-            depth_[p] = is_root(p) ? 0 : std::min(most[p], std::max(least[p], (behind[p] - before[p]) / 2));
+        co_await each_by_work(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+            const Chain& own = chains[order[i]];
+            for (const uint32_t ask : from.of(order[i])) {
+                Chain& front = chains[asked[ask].front];
+                if (all.is_root(asked[ask].front)) continue;
+                front.least = std::max(front.least, own.least + asked[ask].distance);
+                if (!all.is_root(order[i])) front.behind = std::max(front.behind, own.behind + asked[ask].distance);
+            }
+            return 1 + static_cast<uint32_t>(from.of(order[i]).size());
+        });
+        co_await each_by_work(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+            const uint32_t unit = order[count - 1 - i];
+            const Chain& own = chains[unit];
+            for (const uint32_t ask : to.of(unit)) {
+                Chain& behind = chains[asked[ask].behind];
+                if (all.is_root(asked[ask].behind)) continue;
+                behind.most = std::min(behind.most, own.most - asked[ask].distance);
+                if (!all.is_root(unit)) behind.before = std::max(behind.before, own.before + asked[ask].distance);
+            }
+            return 1 + static_cast<uint32_t>(to.of(unit).size());
+        });
+        all.depth_.resize(count);
+        co_await each(pace, count, Cost::some_ns, [&](uint32_t p) {
+            const Chain& own = chains[p];
+            all.depth_[p] = std::min(own.most, std::max(own.least, (own.behind - own.before) / 2));
+        });
     }
 
     // From where it hangs, parents first.
     static Task<void> set_lifts(Pace& pace, Arrangement& all, PartDepths& out) {
         std::pmr::vector<double> first(all.count(), HUGE_VAL, pace.memory());
-        for (const Pair& pair : all.pairs_)
+        co_await each(pace, all.pairs_.size(), Cost::tens_of_ns, [&](uint32_t i) {
+            const Pair& pair = all.pairs_[i];
             for (uint32_t k = 0; k < 2; ++k)
                 if (pair.cross) first[pair.parts[k]] = std::min(first[pair.parts[k]], pair.first[k]);
-        for (const uint32_t p : all.order_) {
+        });
+        Slice slice(Cost::microseconds);
+        for (const uint32_t p : all.order_.items) {
+            if (slice.is_over()) co_await pace;
             if (all.is_root(p) || all.side(p) == 0) continue;
             const HungPart& hung = all.drawn_.hung[p];
             const ImplicitPart above(with_lift(all.drawn_.parts[hung.parent], out.lifts[hung.parent]), hung.parent);
@@ -548,9 +571,11 @@ private:
 
     static Task<void> list_apart(Pace& pace, const Arrangement& all, PartDepths& out) {
         std::pmr::vector<std::array<uint32_t, 2>> apart(pace.memory());
-        co_await each(pace, all.drawn_.apart.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        apart.reserve(all.drawn_.apart.size() + all.pairs_.size());
+        co_await each_by_work(pace, all.drawn_.apart.size(), Cost::some_ns, [&](uint32_t i) {
             const auto& [a, b] = all.drawn_.apart[i];
             if (!all.bears(a, b) && !all.bears(b, a)) apart.push_back({a, b});
+            return 8 + all.levels_[a] + all.levels_[b];
         });
         co_await each(pace, all.pairs_.size(), Cost::tens_of_ns, [&](uint32_t i) {
             const Pair& pair = all.pairs_[i];
@@ -571,12 +596,13 @@ private:
 
     DrawnParts drawn_;
     std::pmr::vector<ImplicitPart> shapes_;
-    std::pmr::vector<Pair> pairs_;
+    std::pmr::deque<Pair> pairs_;
     std::pmr::deque<Buffer<double>> ways_;  // by part; none: not needed
     std::pmr::vector<uint32_t> levels_;     // by part: how many it hangs on, one on the other
     std::pmr::vector<Vec3> joints_;         // by part: where it hangs
-    std::pmr::vector<uint32_t> order_, unit_;
-    std::pmr::vector<double> depth_;  // by unit
+    Groups order_;                          // parts by level
+    std::pmr::vector<uint32_t> unit_;       // by part
+    std::pmr::vector<double> depth_;        // by unit
     Vec3 front_ = Vec3::UnitZ();
     double size_ = 0;
 };
