@@ -238,9 +238,9 @@ private:
 
     // What is over a vertex of one of two parts.
     struct Over {
-        double height, other;  // half of the two bodies' thickness there; in the model's units
-        double behind;         // how far the other's plane is behind
-        Point2 at;             // in the other's plane
+        double height = 0, other = 0;  // half of the two bodies' thickness there; in the model's units
+        double behind = 0;             // how far the other's plane is behind
+        Point2 at{};                   // in the other's plane
     };
     bool is_over(uint32_t part, uint32_t vertex, uint32_t other, Over& out) const {
         const ImplicitPart &own = shapes_[part], &shape = shapes_[other];
