@@ -235,12 +235,33 @@ bool PartUnion::are_apart(uint32_t a, uint32_t b) const {
     return std::find(apart_from_[a].begin(), apart_from_[a].end(), b) != apart_from_[a].end();
 }
 
+// What the parts that are kept apart from others are at a point; beyond so many they are found anew where needed.
+struct PartUnion::Near {
+    static constexpr uint32_t capacity = 24;
+
+    void add(uint32_t part, const ImplicitPart::Sample& sample) {
+        parts[count] = part;
+        samples[count++] = sample;
+    }
+    const ImplicitPart::Sample* find(uint32_t part) const {
+        for (uint32_t i = 0; i < count; ++i)
+            if (parts[i] == part) return &samples[i];
+        return nullptr;
+    }
+
+    std::array<uint32_t, capacity> parts;
+    std::array<ImplicitPart::Sample, capacity> samples;
+    uint32_t count = 0;
+};
+
 // Where the part ends because of those that it is kept apart from; the edge is rounded.
-ImplicitPart::Sample PartUnion::cut_off(const ImplicitPart::Sample& whole, uint32_t part, const Vec3& p) const {
+ImplicitPart::Sample PartUnion::cut_off(const ImplicitPart::Sample& whole, uint32_t part, const Vec3& p,
+                                        const Near& near) const {
     ImplicitPart::Sample sample = whole;
     for (const uint32_t other : apart_from_[part]) {
         if (other >= parts_.size() || !parts_[other].reaches(p, margin_ + gap_)) continue;
-        const ImplicitPart::Sample theirs = parts_[other].sample(p);
+        const ImplicitPart::Sample* const known = near.find(other);
+        const ImplicitPart::Sample theirs = known ? *known : parts_[other].sample(p);
         const Vec3 slope = whole.gradient - theirs.gradient;
         const double steep = std::max(slope.norm(), least_steep);
         const ImplicitPart::Sample cut{(whole.value - theirs.value) / steep - gap_ / 2, slope / steep};
@@ -270,16 +291,29 @@ PartUnion::Sample PartUnion::sample(const Vec3& p) const {
                            std::min(counts_[1] - 1, static_cast<uint32_t>(place.y()))) *
                               counts_[0] +
                           std::min(counts_[0] - 1, static_cast<uint32_t>(place.x()));
-    for (uint32_t e = offsets_[cell]; e < offsets_[cell + 1]; ++e) {
-        const uint32_t i = near_[e];
-        if (!parts_[i].reaches(p, margin_)) continue;
-        ImplicitPart::Sample sample = parts_[i].sample(p);
-        if (sample.value > best[ranks - 1].sample.value && !apart_from_[i].empty()) sample = cut_off(sample, i, p);
+    const auto offer = [&](ImplicitPart::Sample sample, uint32_t i) {
         uint32_t rank = ranks;
         for (; rank > 0 && sample.value > best[rank - 1].sample.value; --rank)
             if (rank < ranks) best[rank] = best[rank - 1];
         if (rank < ranks) best[rank] = {sample, i};
+    };
+    // Those that are kept apart from others come last, when these are known.
+    Near near;
+    for (uint32_t e = offsets_[cell]; e < offsets_[cell + 1]; ++e) {
+        const uint32_t i = near_[e];
+        if (!parts_[i].reaches(p, margin_)) continue;
+        const ImplicitPart::Sample sample = parts_[i].sample(p);
+        if (apart_from_[i].empty()) {
+            offer(sample, i);
+        } else if (near.count < Near::capacity) {
+            near.add(i, sample);
+        } else {
+            offer(cut_off(sample, i, p, near), i);
+        }
     }
+    for (uint32_t k = 0; k < near.count; ++k)
+        if (near.samples[k].value > best[ranks - 1].sample.value)
+            offer(cut_off(near.samples[k], near.parts[k], p, near), near.parts[k]);
     const auto& [largest, first] = best[0];
     const auto& [next, second] = best[are_apart(first, best[1].part) ? 2 : 1];
     if (next.value > largest.value - widest_ && next.value > nothing) {

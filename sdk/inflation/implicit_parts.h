@@ -128,7 +128,9 @@ private:
     PartUnion(double blend, Memory* memory) : parts_(memory), apart_from_(memory), blend_(blend) {}
     double blend_of(uint32_t a, uint32_t b) const;
     bool are_apart(uint32_t a, uint32_t b) const;
-    ImplicitPart::Sample cut_off(const ImplicitPart::Sample& sample, uint32_t part, const Vec3& p) const;
+    struct Near;
+    ImplicitPart::Sample cut_off(const ImplicitPart::Sample& whole, uint32_t part, const Vec3& p,
+                                 const Near& near) const;
     Cells cells_of(const ImplicitPart& part) const;
     template <class Action>
     uint32_t each_cell_in_layer(uint32_t part, uint32_t layer, const Action& action) const;
