@@ -60,10 +60,10 @@ struct Hanging {
 
 Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
     Hanging out(pace.memory());
-    out.parts.resize(model.parts.size());
+    out.parts.reserve(model.parts.size());
     co_await each(pace, model.parts.size(), Cost::tens_of_ns, [&](uint32_t p) {
         const ModelPart& part = model.parts[p];
-        HungPart& hung = out.parts[p];
+        HungPart& hung = out.parts.emplace_back();
         hung.twin = part.twin;
         hung.depth = part.depth;
         if (part.twin != no_number)
@@ -75,6 +75,7 @@ Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
         hung.bearing = bearing.at;
         hung.hold = held * (bearing.radius + own.radius);
     });
+    out.apart.reserve(model.apart.size() + model.parts.size());
     co_await each(pace, model.apart.size(), Cost::some_ns, [&](uint32_t i) { out.apart.push_back(model.apart[i]); });
     for (uint32_t p = 0; p < model.parts.size(); ++p) {
         const uint32_t twin = model.parts[p].twin;
@@ -84,13 +85,14 @@ Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
     co_return out;
 }
 
-// Joints where the lifted parts are.
-Task<void> lift_joints(Pace& pace, std::span<const PlacedPart> placed, BoneTree& tree) {
+// The drawing's joints where the lifted parts are.
+Task<void> lift_joints(Pace& pace, std::span<const PlacedPart> placed, const BoneTree& drawn, BoneTree& out) {
     std::pmr::vector<ImplicitPart> shapes(pace.memory());
     shapes.reserve(placed.size());
     co_await each(pace, placed.size(), Cost::hundreds_of_ns, [&](uint32_t p) { shapes.emplace_back(placed[p], p); });
-    co_await each(pace, tree.joints.size(), Cost::hundreds_of_ns, [&](uint32_t j) {
-        BoneJoint& joint = tree.joints[j];
+    out.joints.reserve(drawn.joints.size());
+    co_await each(pace, drawn.joints.size(), Cost::hundreds_of_ns, [&](uint32_t j) {
+        BoneJoint& joint = out.joints.emplace_back(drawn.joints[j]);
         const ImplicitPart& shape = shapes[joint.part];
         const Vec3 at = shape.local(joint.at);
         joint.at += shape.scale() * shape.lift(at.x(), at.y()) * shape.normal();
@@ -135,6 +137,7 @@ void HeldSkin::show_vertex(size_t vertex) {
 }
 
 void HeldSkin::show_joint(size_t joint) {
+    if (columns_.joint_positions.empty()) columns_.joint_positions.reserve(3 * tree.joints.size());
     for (int i = 0; i < 3; ++i) columns_.joint_positions.push_back(static_cast<float>(tree.joints[joint].at[i]));
 }
 
@@ -170,8 +173,7 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
         placed[p].apart_from = depths.apart_from(p);
         placed[p].lift = depths.lift(p);
     });
-    skin->tree.joints = model.tree.joints;
-    co_await lift_joints(pace, placed, skin->tree);
+    co_await lift_joints(pace, placed, model.tree, skin->tree);
     skin->mesh = co_await merge_parts(pace, placed, skin->options);
     const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, skin->tree, model.part_joints);
     Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
