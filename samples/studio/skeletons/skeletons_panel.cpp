@@ -229,8 +229,8 @@ void Skeletons::refine_panel() {
 
 void Skeletons::joint_panel() {
     const Rig* rig = shown_rig();
-    const auto joint = rig != nullptr ? joint_.selected(*rig) : std::nullopt;
-    const std::string key = joint ? key_of(*rig, *joint) : std::string();
+    const uint32_t joint = rig != nullptr ? joint_.selected(*rig).value_or(FLG_NO_INDEX) : FLG_NO_INDEX;
+    const std::string key = joint != FLG_NO_INDEX ? key_of(*rig, joint) : std::string();
     const auto act = [&](const char* name, auto change) {
         editor_.commit();
         change(editor_.change(name));
@@ -246,10 +246,10 @@ void Skeletons::joint_panel() {
             act("joint name", [&](Drawing& drawing) { rename_joint(drawing, of, joint_text_); });
     };
     if (!joint_of_.empty() && joint_of_ != key) take();
-    if (!joint) return;
+    if (joint == FLG_NO_INDEX) return;
     ui::heading("Joint");
-    const std::string& shown = rig->names[*joint];
-    const bool is_side = rig->keys[*joint] != key;
+    const std::string& shown = rig->names[joint];
+    const bool is_side = rig->keys[joint] != key;
     const std::string name = is_side ? shown.substr(0, shown.size() - 2) : shown;
     std::string text = !joint_of_.empty() ? joint_text_ : name;
     ui::text("Joint name", &text, "Name of the joint. Mirror images get .L and .R.");
@@ -259,12 +259,12 @@ void Skeletons::joint_panel() {
     } else if (!joint_of_.empty()) {
         joint_text_ == name ? joint_of_.clear() : take();
     }
-    const bool is_root = rig->parents[*joint] == FLG_NO_INDEX, is_pinned = rig->pinned[*joint];
+    const bool is_root = rig->parents[joint] == FLG_NO_INDEX, is_pinned = rig->pinned[joint];
     if (ui::row_button(is_pinned ? "Unpin" : "Pin", 2,
                        "A pinned joint stays where it is, whatever the sliders say. Dragging a joint pins it.",
                        {.pressed = is_pinned}))
         act("pin", [&](Drawing& drawing) {
-            is_pinned ? unpin_joint(drawing, key) : pin_joint(drawing, key, rig->places[*joint]);
+            is_pinned ? unpin_joint(drawing, key) : pin_joint(drawing, key, rig->places[joint]);
         });
     ui::same_row();
     if (ui::row_button("Split", 2, "Adds a joint in the middle of the bone from the joint before.",
