@@ -291,7 +291,7 @@ PartUnion::Sample PartUnion::sample(const Vec3& p) const {
                            std::min(counts_[1] - 1, static_cast<uint32_t>(place.y()))) *
                               counts_[0] +
                           std::min(counts_[0] - 1, static_cast<uint32_t>(place.x()));
-    const auto offer = [&](ImplicitPart::Sample sample, uint32_t i) {
+    const auto offer = [&](const ImplicitPart::Sample& sample, uint32_t i) {
         uint32_t rank = ranks;
         for (; rank > 0 && sample.value > best[rank - 1].sample.value; --rank)
             if (rank < ranks) best[rank] = best[rank - 1];
