@@ -90,7 +90,8 @@ TEST_F(Rigs, DepthAndPairsAreTheHosts) {
     folder.write("drawing.json",
                  std::find_if(all.begin(), all.end(), [](const auto& d) { return d.name == "scissors"; })->json.dump());
     done({"skeleton", "drawing.json", "-o", "a.glb", "--quiet"});
-    done({"skeleton", "drawing.json", "-o", "b.glb", "--quiet", "--depth", "one,1", "--apart", "one,two"});
+    done({"skeleton", "--depth", "one,1", "--depth", "two,0", "--apart", "one,two", "drawing.json", "-o", "b.glb",
+          "--quiet"});
     EXPECT_NE(folder.read("a.glb"), folder.read("b.glb"));
     expect_refused({"skeleton", "drawing.json", "-o", "c.glb", "--depth", "three,1"}, 2, {"--depth", "three"});
     expect_refused({"skeleton", "drawing.json", "-o", "c.glb", "--depth", "one,deep"}, 2, {"--depth", "deep"});

@@ -199,12 +199,10 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
                      "Where parts cross, the one of greater depth passes in front, of equal depth the one drawn later; "
                      "default 0. Once a part")
         ->type_name("PART,NUMBER")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);
     command->add_option("--apart", options->apart, "Two parts that are not welded where they touch. Once a pair")
         ->type_name("PART,PART")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);
     return {command, [options, &common] { run_skeleton(*options, common); }};
 }
 
