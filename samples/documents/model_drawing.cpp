@@ -119,7 +119,7 @@ void read_thresholds(const JsonPlace& item, FlgBoneThresholds& out) {
 
 DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, ModelDrawing& drawing) {
     item.allow({"name", "contour", "curve", "at", "turn", "scale", "thickness", "mirrored", "simplify", "merge",
-                "prune", "collapse", "detail", "color", "metallic", "roughness", "parent", "parent_joint"});
+                "prune", "collapse", "detail", "color", "metallic", "roughness", "parent", "parent_joint", "depth"});
     DrawnPart part;
     part.name = item.at("name").text();
     const auto contour = item.find("contour"), curve = item.find("curve");
@@ -133,6 +133,7 @@ DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, 
     }
     read_placement(item, part);
     if (const auto place = item.find("thickness")) part.thickness = place->number(0.01, 100);
+    if (const auto place = item.find("depth")) part.depth = place->number(-largest, largest);
     if (const auto place = item.find("mirrored")) part.is_mirrored = place->flag();
     if (const auto place = item.find("parent")) part.parent = place->text();
     if (const auto place = item.find("parent_joint")) part.parent_joint = place->text();
@@ -175,8 +176,8 @@ ModelDrawing read_model_drawing(const std::string& path) {
 ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& subject,
                               const std::filesystem::path& folder) {
     const JsonPlace whole(json, subject + ": model");
-    whole.allow(
-        {"parts", "mirror", "simplify", "merge", "prune", "collapse", "detail", "root", "root_joint", "joints"});
+    whole.allow({"parts", "mirror", "simplify", "merge", "prune", "collapse", "detail", "root", "root_joint", "joints",
+                 "apart"});
     ModelDrawing drawing;
     if (const auto place = whole.find("mirror")) {
         const std::vector<double> plane = read_numbers(*place, 4);
@@ -189,6 +190,12 @@ ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& sub
     if (const auto place = whole.find("root_joint")) drawing.root_joint = place->text();
     if (const auto place = whole.find("joints"))
         for (const JsonPlace& item : place->items()) drawing.joint_edits.push_back(read_joint_edit(item));
+    if (const auto place = whole.find("apart"))
+        for (const JsonPlace& item : place->items()) {
+            const std::vector<JsonPlace> names = item.items();
+            if (names.size() != 2) item.fail("must be two names of parts");
+            drawing.apart.push_back({names[0].text(), names[1].text()});
+        }
     return drawing;
 }
 
@@ -221,6 +228,7 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
         part.name = drawn.name.c_str();
         std::copy(drawn.placement.begin(), drawn.placement.end(), part.placement);
         part.thickness = drawn.thickness;
+        part.depth = drawn.depth;
         part.mirrored = drawn.is_mirrored;
         part.thresholds = drawn.thresholds ? &*drawn.thresholds : nullptr;
         if (!drawn.parent.empty()) part.parent = part_named(drawing, drawn.parent, name);
@@ -243,6 +251,11 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
         std::copy(edit.at.begin(), edit.at.end(), out.at);
         out.share = edit.share;
     }
+    std::vector<uint32_t> apart;
+    for (const auto& pair : drawing.apart)
+        for (const std::string& name : pair) apart.push_back(part_named(drawing, name, subject));
+    desc.apart_pairs = apart.data();
+    desc.apart_pair_count = static_cast<uint32_t>(drawing.apart.size());
     desc.joint_edits = edits.data();
     desc.joint_edit_count = static_cast<uint32_t>(edits.size());
     FlgModel model = {};

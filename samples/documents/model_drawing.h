@@ -22,7 +22,7 @@ struct DrawnPart {
     std::string name;
     ContourArrays contour;
     std::array<double, 12> placement = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    float thickness = 1;
+    float thickness = 1, depth = 0;
     bool is_mirrored = false;
     std::optional<FlgBoneThresholds> thresholds;
     FlgMeshMaterial material = flgMeshMaterialDefaults();  // without a name
@@ -45,6 +45,7 @@ struct ModelDrawing {
     bool repair = false;           // contours that cross themselves
     std::string root, root_joint;  // of the part, and of its joint; empty: to be found
     std::vector<JointEdit> joint_edits;
+    std::vector<std::array<std::string, 2>> apart;  // parts that are not welded
 };
 
 // Throws InputError, with file and place.

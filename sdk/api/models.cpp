@@ -13,7 +13,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t max_parts = 4096;
-constexpr uint32_t max_joint_edits = 65535;
+constexpr uint32_t max_joint_edits = 65535, max_apart_pairs = 65535;
 constexpr size_t max_name = 63;
 constexpr double shear_limit = 1e-4;  // of the scale
 
@@ -120,6 +120,8 @@ ModelPart read_part(Context& context, const FlgModelPart& in, const FlgBoneThres
     char default_name[16];
     std::snprintf(default_name, sizeof default_name, "part%u", number);
     out.name = in.name ? in.name : default_name;
+    check_range(std::isfinite(in.depth), field("depth"), in.depth, "finite");
+    out.depth = in.depth;
     out.parent = in.parent;
     if (in.parent_joint) out.parent_joint = in.parent_joint;
     if (out.name.empty() || out.name.size() > max_name)
@@ -188,6 +190,29 @@ void read_parents(uint32_t part_count, HeldModel& model, Memory* memory) {
     if (root.parent != no_number && root.parent != model.root)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.root is %s, which has a parent: desc.parts[%u].parent is set",
                       root.name.c_str(), root.source);
+}
+
+// Pairs of the host's parts, with all their images.
+void read_apart_pairs(const FlgModelDesc& desc, HeldModel& model) {
+    check_range(desc.apart_pair_count <= max_apart_pairs, "desc.apart_pair_count", desc.apart_pair_count,
+                "at most 65535");
+    if (desc.apart_pair_count > 0) require(desc.apart_pairs, "desc.apart_pairs");
+    std::pmr::vector<uint32_t> number(desc.part_count, 0, model.apart.get_allocator());
+    for (uint32_t p = static_cast<uint32_t>(model.parts.size()); p-- > 0;) number[model.parts[p].source] = p;
+    for (uint32_t i = 0; i < 2 * desc.apart_pair_count; i += 2) {
+        const uint32_t pair[] = {desc.apart_pairs[i], desc.apart_pairs[i + 1]};
+        for (uint32_t k = 0; k < 2; ++k) {
+            char field[48];
+            std::snprintf(field, sizeof field, "desc.apart_pairs[%u]", i + k);
+            check_range(pair[k] < desc.part_count, field, pair[k], "the index of a part");
+        }
+        const uint32_t first = number[pair[0]], second = number[pair[1]];
+        const uint32_t first_end = first + (model.parts[first].twin != no_number ? 2 : 1),
+                       second_end = second + (model.parts[second].twin != no_number ? 2 : 1);
+        for (uint32_t a = first; a < first_end; ++a)
+            for (uint32_t b = second; b < second_end; ++b)
+                if (first != second || a < b) model.apart.push_back({a, b});
+    }
 }
 
 JointEdit read_joint_edit(const FlgJointEdit& in, uint32_t number, Memory* memory) {
@@ -317,6 +342,7 @@ FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel*
         out->root = read.root;
         if (read.root_joint) out->root_joint = read.root_joint;
         read_parents(read.part_count, *out, memory);
+        read_apart_pairs(read, *out);
         check_range(read.joint_edit_count <= max_joint_edits, "desc.joint_edit_count", read.joint_edit_count,
                     "at most 65535");
         if (read.joint_edit_count > 0) require(read.joint_edits, "desc.joint_edits");

@@ -2,6 +2,7 @@
 // Models as hosts hold them, and the job that makes them.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@ struct ModelPart {
     Eigen::Matrix<double, 3, 4> placement = Eigen::Matrix<double, 3, 4>::Identity();
     double scale = 1;  // of the placement
     double thickness = 1;
+    double depth = 0;                          // as FlgModelPart has it
     FlgBoneThresholds thresholds{};            // shares of the model's size
     std::pmr::vector<double> branch_simplify;  // by branch, negative: the part's; none: all the part's
     std::pmr::string name, suffix;
@@ -52,6 +54,7 @@ class HeldModel final : public Product {
 public:
     explicit HeldModel(Memory* memory)
         : parts(memory),
+          apart(memory),
           root_joint(memory),
           edits(memory),
           tree(memory),
@@ -68,8 +71,9 @@ public:
     double shape_weight = 1;
     Vec3 mirror_normal = Vec3::UnitX();
     double mirror_offset = 0;
-    uint32_t root = no_number;    // a part; no_number: to be found
-    std::pmr::string root_joint;  // its key; none: the middle
+    std::pmr::vector<std::array<uint32_t, 2>> apart;  // parts that the host does not want welded
+    uint32_t root = no_number;                        // a part; no_number: to be found
+    std::pmr::string root_joint;                      // its key; none: the middle
     std::pmr::vector<JointEdit> edits;
     std::shared_ptr<const HeldModel> previous;  // until the job is done
 

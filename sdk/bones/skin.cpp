@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "bones/part_body.h"
+#include "inflation/part_depths.h"
 #include "runtime/each.h"
 
 namespace flg {
@@ -11,6 +12,9 @@ namespace {
 
 static_assert(sizeof(std::array<uint16_t, 4>) == 4 * sizeof(uint16_t));
 static_assert(sizeof(std::array<float, 4>) == 4 * sizeof(float));
+
+constexpr double held = 1.25;    // of the radii of a limb and of what it hangs on: so far they are one
+constexpr double gap_cells = 2;  // between parts that pass each other, by the length of edges
 
 // Whether a part's axis is on one side of the mirror: then it and its image are two things, however near they are.
 Task<bool> is_beside_mirror(Pace& pace, const HeldModel& model, const ModelPart& part) {
@@ -38,13 +42,61 @@ Task<void> inflate_parts(Pace& pace, const HeldModel& model, std::pmr::deque<Par
         PlacedPart out;
         out.part = &bodies[body].inflated;
         out.thickness = part.thickness;
-        if (part.twin != no_number && co_await is_beside_mirror(pace, model, part)) out.apart_from = part.twin;
         Eigen::Matrix<double, 3, 4> placement = part.placement;
         placement.col(3) = part.place(bodies[body].origin);
         placement.leftCols<3>() *= bodies[body].scale;
         for (int i = 0; i < 12; ++i) out.placement[i] = placement(i / 4, i % 4);
         placed.push_back(out);
     }
+}
+
+// How parts hang on each other, and which the mirror or the host keeps apart.
+struct Hanging {
+    explicit Hanging(Memory* memory) : parts(memory), apart(memory) {}
+
+    std::pmr::vector<HungPart> parts;
+    std::pmr::vector<std::array<uint32_t, 2>> apart;
+};
+
+Task<Hanging> find_hanging(Pace& pace, const HeldModel& model) {
+    Hanging out(pace.memory());
+    out.parts.reserve(model.parts.size());
+    co_await each(pace, model.parts.size(), Cost::tens_of_ns, [&](uint32_t p) {
+        const ModelPart& part = model.parts[p];
+        HungPart& hung = out.parts.emplace_back();
+        hung.twin = part.twin;
+        hung.depth = part.depth;
+        if (part.twin != no_number)
+            hung.is_turned = part.is_mirrored && part.placement.col(2).dot(model.parts[part.twin].placement.col(2)) < 0;
+        const BoneJoint& own = model.tree.joints[model.part_joints[p]];
+        const BoneJoint& bearing = own.parent != no_joint ? model.tree.joints[own.parent] : own;
+        hung.parent = model.links[p].parent;
+        hung.joint = own.at;
+        hung.bearing = bearing.at;
+        hung.hold = held * (bearing.radius + own.radius);
+    });
+    out.apart.reserve(model.apart.size() + model.parts.size());
+    co_await each(pace, model.apart.size(), Cost::some_ns, [&](uint32_t i) { out.apart.push_back(model.apart[i]); });
+    for (uint32_t p = 0; p < model.parts.size(); ++p) {
+        const uint32_t twin = model.parts[p].twin;
+        if (twin != no_number && p < twin && co_await is_beside_mirror(pace, model, model.parts[p]))
+            out.apart.push_back({p, twin});
+    }
+    co_return out;
+}
+
+// The drawing's joints where the lifted parts are.
+Task<void> lift_joints(Pace& pace, std::span<const PlacedPart> placed, const BoneTree& drawn, BoneTree& out) {
+    std::pmr::vector<ImplicitPart> shapes(pace.memory());
+    shapes.reserve(placed.size());
+    co_await each(pace, placed.size(), Cost::hundreds_of_ns, [&](uint32_t p) { shapes.emplace_back(placed[p], p); });
+    out.joints.reserve(drawn.joints.size());
+    co_await each(pace, drawn.joints.size(), Cost::hundreds_of_ns, [&](uint32_t j) {
+        BoneJoint& joint = out.joints.emplace_back(drawn.joints[j]);
+        const ImplicitPart& shape = shapes[joint.part];
+        const Vec3 at = shape.local(joint.at);
+        joint.at += shape.scale() * shape.lift(at.x(), at.y()) * shape.normal();
+    });
 }
 
 // A bone from each joint's parent to it, with the joint it turns with. A part that no bone begins in (its joints are
@@ -84,6 +136,11 @@ void HeldSkin::show_vertex(size_t vertex) {
     }
 }
 
+void HeldSkin::show_joint(size_t joint) {
+    if (columns_.joint_positions.empty()) columns_.joint_positions.reserve(3 * tree.joints.size());
+    for (int i = 0; i < 3; ++i) columns_.joint_positions.push_back(static_cast<float>(tree.joints[joint].at[i]));
+}
+
 void HeldSkin::show() noexcept {
     const FlgModelView& bones = model->view();
     view_ = {.struct_size = sizeof view_,
@@ -96,7 +153,7 @@ void HeldSkin::show() noexcept {
              .vertex_joints = weights.joints.data()->data(),
              .vertex_weights = weights.weights.data()->data(),
              .vertex_parts = mesh.parts.data(),
-             .joint_positions = bones.joint_positions,
+             .joint_positions = columns_.joint_positions.data(),
              .joint_parents = bones.joint_parents,
              .joint_names = bones.joint_names,
              .origin = {}};
@@ -108,15 +165,26 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     std::pmr::deque<PartBody> bodies(pace.memory());
     std::pmr::vector<PlacedPart> placed(pace.memory());
     co_await inflate_parts(pace, model, bodies, placed);
+    const Hanging hanging = co_await find_hanging(pace, model);
+    const std::pmr::vector<BoneSegment> drawn = co_await bone_segments(pace, model.tree, model.part_joints);
+    const double gap = gap_cells * expected_spacing(placed, skin->options.vertices);
+    PartDepths depths = co_await find_depths(pace, {placed, hanging.parts, drawn, hanging.apart, gap});
+    co_await each(pace, placed.size(), Cost::some_ns, [&](uint32_t p) {
+        placed[p].apart_from = depths.apart_from(p);
+        placed[p].lift = depths.lift(p);
+    });
+    co_await lift_joints(pace, placed, model.tree, skin->tree);
     skin->mesh = co_await merge_parts(pace, placed, skin->options);
-    const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, model.tree, model.part_joints);
+    const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, skin->tree, model.part_joints);
     Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
     co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t j) { parents[j] = model.tree.joints[j].parent; });
     const BoneRig rig{bones, {parents.data(), parents.size()}};
     skin->weights = co_await bone_weights(pace, skin->mesh, placed, rig, BoneWeightOptions());
     // One by one: all at once they would take longer to be given back than a slice may.
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
+    for (; !depths.lifts.empty(); depths.lifts.pop_back()) co_await pace;
     co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
+    co_await each(pace, skin->tree.joints.size(), Cost::some_ns, [&](uint32_t j) { skin->show_joint(j); });
 }
 
 }  // namespace flg

@@ -10,23 +10,25 @@ namespace flg {
 
 class HeldSkin final : public Product {
 public:
-    explicit HeldSkin(Memory* memory) : columns_(memory) {}
+    explicit HeldSkin(Memory* memory) : tree(memory), columns_(memory) {}
 
     std::shared_ptr<const HeldModel> model;
     MergeOptions options;
+    BoneTree tree;  // the model's, with joints of lifted parts where these are
     MergedMesh mesh;
     BoneWeights weights;
 
-    // The mesh as hosts see it, vertex by vertex.
+    // The mesh and joints as hosts see them, one by one.
     void show_vertex(size_t vertex);
+    void show_joint(size_t joint);
     const float* positions() const { return columns_.positions.data(); }
     const float* normals() const { return columns_.normals.data(); }
     const FlgSkinView& view() const { return view_; }
 
 private:
     struct Columns {
-        explicit Columns(Memory* memory) : positions(memory), normals(memory) {}
-        std::pmr::vector<float> positions, normals;
+        explicit Columns(Memory* memory) : positions(memory), normals(memory), joint_positions(memory) {}
+        std::pmr::vector<float> positions, normals, joint_positions;
     };
 
     void show() noexcept override;

@@ -3,92 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <queue>
+
+#include "inflation/part_front.h"
 
 namespace flg {
 namespace {
 
-constexpr uint32_t no_bone = UINT32_MAX, no_triangle = UINT32_MAX;
+constexpr uint32_t no_bone = PartFront::not_reached, no_triangle = UINT32_MAX;
 constexpr double step_along = 0.5;    // from point to point of a bone, by the longest edge
 constexpr uint32_t max_steps = 4096;  // along a bone
 constexpr double outside = -1;        // barycentric: what is farther off a triangle is not at the part
-
-// Distances that spread from vertex to vertex, the nearest first.
-class Front {
-public:
-    Front(const InflatedPart& part, const Groups& corners, Buffer<uint32_t>& bone_of, Memory* memory)
-        : part_(part),
-          corners_(corners),
-          bone_of_(bone_of),
-          distance_(part.points.size(), memory),
-          queue_(std::greater<>(), std::pmr::deque<Reached>(memory)) {}
-
-    void clear(uint32_t vertex) {
-        distance_[vertex] = HUGE_VAL;
-        bone_of_[vertex] = no_bone;
-    }
-    void offer(uint32_t vertex, double distance, uint32_t bone) {
-        if (!(distance < distance_[vertex])) return;
-        distance_[vertex] = distance;
-        bone_of_[vertex] = bone;
-        queue_.push({distance, vertex});
-    }
-    // Goes on from one vertex; returns what that cost, 0 at the end.
-    uint32_t advance() {
-        if (queue_.empty()) return 0;
-        const auto [reached, from] = queue_.top();
-        queue_.pop();
-        if (reached > distance_[from]) return 1;
-        uint32_t work = 1;
-        for (const uint32_t corner : corners_.of(from)) {
-            const TriangleVertices& t = part_.triangles[corner / 3];
-            const uint32_t a = t[(corner + 1) % 3], b = t[(corner + 2) % 3];
-            update(a, from, b);
-            update(b, from, a);
-            work += 2;
-        }
-        return work;
-    }
-
-private:
-    struct Reached {
-        double distance;
-        uint32_t vertex;
-        auto operator<=>(const Reached&) const = default;
-    };
-
-    // From one corner, and across the triangle if the front has passed the third with the same bone.
-    void update(uint32_t vertex, uint32_t from, uint32_t third) {
-        const Point2 &p = part_.points[vertex], &a = part_.points[from], &b = part_.points[third];
-        double reached = distance_[from] + flg::distance(p, a);
-        if (bone_of_[third] == bone_of_[from]) reached = std::min(reached, across(p, a, b, from, third));
-        offer(vertex, reached, bone_of_[from]);
-    }
-    // A straight front through a and b: |gradient| = 1, if it comes from between them.
-    double across(const Point2& p, const Point2& a, const Point2& b, uint32_t from, uint32_t third) const {
-        const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
-        const double aa = ax * ax + ay * ay, ab = ax * bx + ay * by, bb = bx * bx + by * by;
-        const double determinant = aa * bb - ab * ab;
-        if (!(determinant > 0)) return HUGE_VAL;
-        const double ta = distance_[from], tb = distance_[third];
-        const auto dot = [&](double x0, double x1, double y0, double y1) {
-            return (bb * x0 * y0 - ab * (x0 * y1 + x1 * y0) + aa * x1 * y1) / determinant;
-        };
-        const double q = dot(1, 1, 1, 1), r = dot(1, 1, ta, tb), s = dot(ta, tb, ta, tb) - 1;
-        const double root = r * r - q * s;
-        if (!(root >= 0)) return HUGE_VAL;
-        const double t = (r + std::sqrt(root)) / q;
-        const bool between = bb * (ta - t) - ab * (tb - t) < 0 && aa * (tb - t) - ab * (ta - t) < 0;
-        return between ? t : HUGE_VAL;
-    }
-
-    const InflatedPart& part_;
-    const Groups& corners_;
-    Buffer<uint32_t>& bone_of_;
-    Buffer<double> distance_;
-    std::priority_queue<Reached, std::pmr::deque<Reached>, std::greater<>> queue_;
-};
 
 double distance_to(const Point2& p, const Point2& from, const Point2& to) {
     const double x = to.x - from.x, y = to.y - from.y, length = x * x + y * y;
@@ -181,10 +105,9 @@ Task<BoneRegions> BoneRegions::make(Pace& pace, const PlacedPart& placed, std::s
             const Point2 &a = part.points[t[0]], &b = part.points[t[1]], &c = part.points[t[2]];
             return regions.cell_of({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
         });
-    const Groups corners =
-        co_await group_by(pace, 3 * triangles, vertices, [&](uint32_t i) { return part.triangles[i / 3][i % 3]; });
+    const Groups corners = co_await corners_by_vertex(pace, part);
     regions.bone_of_ = Buffer<uint32_t>(vertices, memory);
-    Front front(part, corners, regions.bone_of_, memory);
+    PartFront front(part, corners, regions.bone_of_, memory);
     co_await each(pace, vertices, Cost::some_ns, [&](uint32_t v) { front.clear(v); });
     Slice slice(Cost::hundreds_of_ns);
     for (const uint32_t number : own) {

@@ -30,41 +30,65 @@ void weights(double t, double (&value)[4], double (&slope)[4]) {
     slope[3] = 0.5 * (3 * t2 - 2 * t);
 }
 
-FieldSample field(const PartRaster& raster, double u, double v) {
-    // In cells; at the edge of the raster the last whole cell goes on.
-    const double x = (u - raster.origin.x) / raster.spacing, y = (v - raster.origin.y) / raster.spacing;
-    const double inner_x = std::clamp(x, 1.0, raster.width - 2.0), inner_y = std::clamp(y, 1.0, raster.height - 2.0);
-    const auto column = std::min(static_cast<uint32_t>(inner_x), raster.width - 3),
-               row = std::min(static_cast<uint32_t>(inner_y), raster.height - 3);
+// A place on a raster; at its edge the last whole cell goes on.
+struct RasterPlace {
+    RasterPlace(const PartRaster& on, double u, double v) : raster(on) {
+        const double x = (u - raster.origin.x) / raster.spacing, y = (v - raster.origin.y) / raster.spacing;
+        const double inner_x = std::clamp(x, 1.0, raster.width - 2.0),
+                     inner_y = std::clamp(y, 1.0, raster.height - 2.0);
+        column = std::min(static_cast<uint32_t>(inner_x), raster.width - 3);
+        row = std::min(static_cast<uint32_t>(inner_y), raster.height - 3);
+        weights(inner_x - column, wx, sx);
+        weights(inner_y - row, wy, sy);
+        ex = (x - inner_x) * raster.spacing;
+        ey = (y - inner_y) * raster.spacing;
+    }
+
+    FieldSample of(const double* grid) const {
+        FieldSample result{0, 0, 0};
+        for (uint32_t j = 0; j < 4; ++j) {
+            const double* values = &grid[size_t{raster.width} * (row + j - 1) + column - 1];
+            const double along = (wx[0] * values[0] + wx[1] * values[1]) + (wx[2] * values[2] + wx[3] * values[3]);
+            const double slope = (sx[0] * values[0] + sx[1] * values[1]) + (sx[2] * values[2] + sx[3] * values[3]);
+            result.value += wy[j] * along;
+            result.x += wy[j] * slope;
+            result.y += sy[j] * along;
+        }
+        result.x /= raster.spacing;
+        result.y /= raster.spacing;
+        return result;
+    }
+
+    // The squared height; beyond the raster it goes on falling as a ball's does.
+    FieldSample square() const {
+        FieldSample result = of(raster.values.data());
+        if (ex != 0 || ey != 0) {
+            const double beyond = std::hypot(ex, ey), steep = std::hypot(result.x, result.y);
+            result.value -= beyond * (beyond + steep);
+            result.x -= ex / beyond * (2 * beyond + steep);
+            result.y -= ey / beyond * (2 * beyond + steep);
+        }
+        return result;
+    }
+
+    const PartRaster& raster;
+    uint32_t column, row;
     double wx[4], sx[4], wy[4], sy[4];
-    weights(inner_x - column, wx, sx);
-    weights(inner_y - row, wy, sy);
-    FieldSample result{0, 0, 0};
-    for (uint32_t j = 0; j < 4; ++j) {
-        const double* values = &raster.values[size_t{raster.width} * (row + j - 1) + column - 1];
-        const double along = (wx[0] * values[0] + wx[1] * values[1]) + (wx[2] * values[2] + wx[3] * values[3]);
-        const double slope = (sx[0] * values[0] + sx[1] * values[1]) + (sx[2] * values[2] + sx[3] * values[3]);
-        result.value += wy[j] * along;
-        result.x += wy[j] * slope;
-        result.y += sy[j] * along;
-    }
-    result.x /= raster.spacing;
-    result.y /= raster.spacing;
-    const double ex = (x - inner_x) * raster.spacing, ey = (y - inner_y) * raster.spacing;
-    if (ex != 0 || ey != 0) {
-        // Beyond the raster it goes on falling as a ball's does.
-        const double beyond = std::hypot(ex, ey), steep = std::hypot(result.x, result.y);
-        result.value -= beyond * (beyond + steep);
-        result.x -= ex / beyond * (2 * beyond + steep);
-        result.y -= ey / beyond * (2 * beyond + steep);
-    }
-    return result;
+    double ex, ey;  // how far beyond
+};
+
+// How far out of its plane, and how that changes.
+FieldSample lift_at(const PartLift& lift, const RasterPlace& place) {
+    if (lift.ways.empty()) return {lift.base, 0, 0};
+    const FieldSample way = place.of(lift.ways.data());
+    const double slope = lift.slope(way.value);
+    return {lift.at(way.value), slope * way.x, slope * way.y};
 }
 
 }  // namespace
 
 ImplicitPart::ImplicitPart(const PlacedPart& placed, uint32_t number)
-    : part_(placed.part), thickness_(placed.thickness) {
+    : part_(placed.part), lift_(placed.lift), thickness_(placed.thickness) {
     const auto& m = placed.placement;
     matrix_ << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
     origin_ = Vec3(m[3], m[7], m[11]);
@@ -82,24 +106,37 @@ ImplicitPart::ImplicitPart(const PlacedPart& placed, uint32_t number)
     radius_ = scale_ * highest * std::min(thickness_, std::sqrt(0.5));
     const PartRaster& raster = part_->raster;
     const double depth = thickness_ * highest;
+    const double lowest_lift = lift_ ? lift_->base + std::min(lift_->rise, 0.0) : 0,
+                 highest_lift = lift_ ? lift_->base + std::max(lift_->rise, 0.0) : 0;
     for (uint32_t i = 0; i < 8; ++i) {
         // Two of the raster's cells around the contour; as much above and below.
         const double around = 2 * raster.spacing;
         const Vec3 corner =
             place(Vec3(raster.origin.x + ((i & 1) ? raster.spacing * (raster.width - 1) - around / 2 : around / 2),
                        raster.origin.y + ((i & 2) ? raster.spacing * (raster.height - 1) - around / 2 : around / 2),
-                       (i & 4) ? depth + around : -depth - around));
+                       (i & 4) ? highest_lift + depth + around : lowest_lift - depth - around));
         low_ = i == 0 ? corner : Vec3(low_.cwiseMin(corner));
         high_ = i == 0 ? corner : Vec3(high_.cwiseMax(corner));
     }
 }
 
+double ImplicitPart::squared_height(double u, double v) const {
+    return thickness_ * thickness_ * RasterPlace(part_->raster, u, v).square().value;
+}
+
+double ImplicitPart::lift(double u, double v) const {
+    return lift_ ? lift_at(*lift_, RasterPlace(part_->raster, u, v)).value : 0;
+}
+
 ImplicitPart::Sample ImplicitPart::sample(const Vec3& p) const {
-    const Vec3 local = inverse_ * (p - origin_);
-    const FieldSample g = field(part_->raster, local.x(), local.y());
-    const double squared = thickness_ * thickness_, w = local.z();
+    const Vec3 at = local(p);
+    const RasterPlace place(part_->raster, at.x(), at.y());
+    const FieldSample g = place.square(), lifted = lift_ ? lift_at(*lift_, place) : FieldSample{0, 0, 0};
+    // Where it rises it is as thick as elsewhere at right angles to itself.
+    const double squared = thickness_ * thickness_ * (1 + lifted.x * lifted.x + lifted.y * lifted.y);
+    const double w = at.z() - lifted.value;
     const double value = squared * g.value - w * w;
-    const Vec3 gradient(squared * g.x, squared * g.y, -2 * w);
+    const Vec3 gradient(squared * g.x + 2 * w * lifted.x, squared * g.y + 2 * w * lifted.y, -2 * w);
     const double steep_squared = gradient.squaredNorm(), steep = std::sqrt(steep_squared);
     const double sum = steep + std::sqrt(std::max(0.0, steep_squared + 4 * value));
     // Both are 0 only where F is 0 and flat: nowhere but at points.
@@ -194,45 +231,91 @@ double PartUnion::blend_of(uint32_t a, uint32_t b) const {
     return blend_ >= 0 ? blend_ : blend_share * std::min(parts_[a].radius(), parts_[b].radius());
 }
 
-// Where the part ends because of one that it is kept apart from; the edge is rounded.
-ImplicitPart::Sample PartUnion::cut_off(const ImplicitPart::Sample& sample, uint32_t part, const Vec3& p) const {
-    const uint32_t other = apart_from_[part];
-    if (other >= parts_.size() || !parts_[other].reaches(p, margin_ + gap_)) return sample;
-    const ImplicitPart::Sample theirs = parts_[other].sample(p);
-    const Vec3 slope = sample.gradient - theirs.gradient;
-    const double steep = std::max(slope.norm(), least_steep);
-    const ImplicitPart::Sample cut{(sample.value - theirs.value) / steep - gap_ / 2, slope / steep};
-    const bool is_cut = cut.value < sample.value;
-    const ImplicitPart::Sample &least = is_cut ? cut : sample, &more = is_cut ? sample : cut;
-    const double blend = blend_of(part, other), share = blend > 0 ? 1 - (more.value - least.value) / blend : 0;
-    if (!(share > 0)) return least;
-    return {least.value - share * share * blend / 4, least.gradient + (more.gradient - least.gradient) * (share / 2)};
+bool PartUnion::are_apart(uint32_t a, uint32_t b) const {
+    return std::find(apart_from_[a].begin(), apart_from_[a].end(), b) != apart_from_[a].end();
+}
+
+// What the parts that are kept apart from others are at a point; beyond so many they are found anew where needed.
+struct PartUnion::Near {
+    static constexpr uint32_t capacity = 24;
+
+    void add(uint32_t part, const ImplicitPart::Sample& sample) {
+        parts[count] = part;
+        samples[count++] = sample;
+    }
+    const ImplicitPart::Sample* find(uint32_t part) const {
+        for (uint32_t i = 0; i < count; ++i)
+            if (parts[i] == part) return &samples[i];
+        return nullptr;
+    }
+
+    std::array<uint32_t, capacity> parts;
+    std::array<ImplicitPart::Sample, capacity> samples;
+    uint32_t count = 0;
+};
+
+// Where the part ends because of those that it is kept apart from; the edge is rounded.
+ImplicitPart::Sample PartUnion::cut_off(const ImplicitPart::Sample& whole, uint32_t part, const Vec3& p,
+                                        const Near& near) const {
+    ImplicitPart::Sample sample = whole;
+    for (const uint32_t other : apart_from_[part]) {
+        if (other >= parts_.size() || !parts_[other].reaches(p, margin_ + gap_)) continue;
+        const ImplicitPart::Sample* const known = near.find(other);
+        const ImplicitPart::Sample theirs = known ? *known : parts_[other].sample(p);
+        const Vec3 slope = whole.gradient - theirs.gradient;
+        const double steep = std::max(slope.norm(), least_steep);
+        const ImplicitPart::Sample cut{(whole.value - theirs.value) / steep - gap_ / 2, slope / steep};
+        const bool is_cut = cut.value < sample.value;
+        const ImplicitPart::Sample least = is_cut ? cut : sample, more = is_cut ? sample : cut;
+        const double blend = blend_of(part, other), share = blend > 0 ? 1 - (more.value - least.value) / blend : 0;
+        sample = least;
+        if (!(share > 0)) continue;
+        sample.value -= share * share * blend / 4;
+        sample.gradient += (more.gradient - least.gradient) * (share / 2);
+    }
+    return sample;
 }
 
 PartUnion::Sample PartUnion::sample(const Vec3& p) const {
-    uint32_t first = 0, second = 0;
-    ImplicitPart::Sample largest{nothing, Vec3::Zero()}, next = largest;
+    struct Valued {
+        ImplicitPart::Sample sample;
+        uint32_t part;
+    };
+    // The largest first. The third stands in where the second is kept apart from the first.
+    constexpr uint32_t ranks = 3;
+    std::array<Valued, ranks> best;
+    best.fill({{nothing, Vec3::Zero()}, 0});
     const Vec3 place = (p - low_) / cell_;
     if (!((p - low_).array() >= 0).all() || !((p - high_).array() <= 0).all()) return {nothing, Vec3::Zero(), 0};
     const uint32_t cell = (std::min(counts_[2] - 1, static_cast<uint32_t>(place.z())) * counts_[1] +
                            std::min(counts_[1] - 1, static_cast<uint32_t>(place.y()))) *
                               counts_[0] +
                           std::min(counts_[0] - 1, static_cast<uint32_t>(place.x()));
+    const auto offer = [&](const ImplicitPart::Sample& sample, uint32_t i) {
+        uint32_t rank = ranks;
+        for (; rank > 0 && sample.value > best[rank - 1].sample.value; --rank)
+            if (rank < ranks) best[rank] = best[rank - 1];
+        if (rank < ranks) best[rank] = {sample, i};
+    };
+    // Those that are kept apart from others come last, when these are known.
+    Near near;
     for (uint32_t e = offsets_[cell]; e < offsets_[cell + 1]; ++e) {
         const uint32_t i = near_[e];
         if (!parts_[i].reaches(p, margin_)) continue;
-        ImplicitPart::Sample sample = parts_[i].sample(p);
-        if (sample.value > next.value) sample = cut_off(sample, i, p);
-        if (sample.value > largest.value) {
-            next = largest;
-            second = first;
-            largest = sample;
-            first = i;
-        } else if (sample.value > next.value) {
-            next = sample;
-            second = i;
+        const ImplicitPart::Sample sample = parts_[i].sample(p);
+        if (apart_from_[i].empty()) {
+            offer(sample, i);
+        } else if (near.count < Near::capacity) {
+            near.add(i, sample);
+        } else {
+            offer(cut_off(sample, i, p, near), i);
         }
     }
+    for (uint32_t k = 0; k < near.count; ++k)
+        if (near.samples[k].value > best[ranks - 1].sample.value)
+            offer(cut_off(near.samples[k], near.parts[k], p, near), near.parts[k]);
+    const auto& [largest, first] = best[0];
+    const auto& [next, second] = best[are_apart(first, best[1].part) ? 2 : 1];
     if (next.value > largest.value - widest_ && next.value > nothing) {
         const double crossing = std::min(1.0, 1 - largest.gradient.dot(next.gradient));
         const double blend = crossing * blend_of(first, second);

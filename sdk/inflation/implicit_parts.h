@@ -13,8 +13,11 @@
 //
 // Parts that are kept apart end where both have the same value, each half a gap before it: where they overlap they
 // touch, as thighs do. What they hang on is joined with each of them: its values go on there.
+//
+// A part may be lifted out of its plane (part_depths.h says how far): w is measured from there.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -25,13 +28,31 @@
 
 namespace flg {
 
+// How far a part is out of its plane: `base` where it hangs, `base` and `rise` from `reach` on, evenly in between. In
+// units of its contour.
+struct PartLift {
+    double at(double way) const {
+        const double t = std::clamp(way / reach, 0.0, 1.0);
+        return base + rise * t * t * (3 - 2 * t);
+    }
+    double slope(double way) const {
+        const double t = std::clamp(way / reach, 0.0, 1.0);
+        return rise * 6 * t * (1 - t) / reach;
+    }
+
+    double base = 0, rise = 0, reach = 1;
+    Buffer<double> ways;  // from where it hangs, within the contour, on the part's raster; none needed without a rise
+};
+
 struct PlacedPart {
     const InflatedPart* part = nullptr;
     // Rows of a 3 x 4 matrix: (x, y, z, 1) of the part's plane, z its normal, to the model. Rotation, one scale,
     // translation, mirrored or not.
     std::array<double, 12> placement = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    double thickness = 1;              // as InflationOptions has it; the part's own does not matter here
-    uint32_t apart_from = UINT32_MAX;  // a part that it touches without becoming one with it, as that does not with it
+    double thickness = 1;  // as InflationOptions has it; the part's own does not matter here
+    // Parts that it touches without becoming one with them, as they do not with it; by number.
+    std::span<const uint32_t> apart_from{};
+    const PartLift* lift = nullptr;  // none: it stays in its plane
 };
 
 class ImplicitPart {
@@ -59,11 +80,19 @@ public:
     double radius() const { return radius_; }
     const Vec3& low() const { return low_; }
     const Vec3& high() const { return high_; }
-    // Of a point of the part's space.
+    // Of a point of the part's space, and back.
     Vec3 place(const Vec3& p) const { return matrix_ * p + origin_; }
+    Vec3 local(const Vec3& p) const { return inverse_ * (p - origin_); }
+    // Of unit length.
+    Vec3 normal() const { return matrix_.col(2) / scale_; }
+    // In units of the contour: the square of the height over a point of its plane, below 0 outside; how far the part is
+    // out of its plane there.
+    double squared_height(double u, double v) const;
+    double lift(double u, double v) const;
 
 private:
     const InflatedPart* part_;
+    const PartLift* lift_;
     double thickness_, scale_ = 0, radius_ = 0;
     Eigen::Matrix3d matrix_, inverse_;
     Vec3 origin_, low_, high_;
@@ -98,13 +127,16 @@ private:
 
     PartUnion(double blend, Memory* memory) : parts_(memory), apart_from_(memory), blend_(blend) {}
     double blend_of(uint32_t a, uint32_t b) const;
-    ImplicitPart::Sample cut_off(const ImplicitPart::Sample& sample, uint32_t part, const Vec3& p) const;
+    bool are_apart(uint32_t a, uint32_t b) const;
+    struct Near;
+    ImplicitPart::Sample cut_off(const ImplicitPart::Sample& whole, uint32_t part, const Vec3& p,
+                                 const Near& near) const;
     Cells cells_of(const ImplicitPart& part) const;
     template <class Action>
     uint32_t each_cell_in_layer(uint32_t part, uint32_t layer, const Action& action) const;
 
     std::pmr::vector<ImplicitPart> parts_;
-    std::pmr::vector<uint32_t> apart_from_;  // by part
+    std::pmr::vector<std::span<const uint32_t>> apart_from_;  // by part
     double blend_;
     double widest_ = 0, margin_ = 0, gap_ = 0;
     // Which parts may matter in each cell of a coarse grid over all of them.

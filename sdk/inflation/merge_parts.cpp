@@ -9,6 +9,7 @@
 #include "core/failure.h"
 #include "inflation/surface_extraction.h"
 #include "runtime/each.h"
+#include "skeletons/node_clusters.h"
 
 namespace flg {
 
@@ -197,15 +198,8 @@ constexpr double coarser = 2;           // the lattice that the surface is measu
 // Of the radius of the thinnest part: lattice points are so near to each other that none falls between them.
 constexpr double max_spacing = 0.8;
 constexpr uint32_t min_vertices = 100;
+constexpr uint32_t speck = 16;     // vertices: a ball as thin as the lattice allows has more
 constexpr double gap_cells = 1.5;  // between parts that are kept apart: no edge of the lattice reaches across
-
-// A lattice that gives about a fourth of the vertices.
-double coarse_spacing(const PartUnion& parts, uint32_t vertices) {
-    double area = 0;
-    for (const ImplicitPart& part : parts.parts())
-        area += surface_by_shape * part.part().area * part.scale() * part.scale();
-    return coarser * std::sqrt(cells_by_area * area / vertices);
-}
 
 // From how many vertices the coarse lattice gives: the spacing that gives as many as asked for, or what the thinnest
 // part needs.
@@ -237,7 +231,47 @@ Task<DualSurface> surface_on_lattice(Pace& pace, const PartUnion& parts, double 
     co_return surface;
 }
 
+// Where parts are cut off each other, slivers may be left that are no more than a corner of the lattice.
+Task<void> drop_specks(Pace& pace, DualSurface& surface) {
+    const auto vertices = static_cast<uint32_t>(surface.positions.size());
+    NodeClusters pieces(vertices, pace.memory());
+    Buffer<uint32_t> size(vertices, pace.memory()), number(vertices, pace.memory());
+    co_await each(pace, vertices, Cost::some_ns, [&](uint32_t v) {
+        pieces.begin(v);
+        size[v] = 0;
+    });
+    co_await each(pace, surface.triangles.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const TriangleVertices& t = surface.triangles[i];
+        pieces.join(t[0], t[1]);
+        pieces.join(t[1], t[2]);
+    });
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) { ++size[pieces.first(v)]; });
+    uint32_t kept = 0, kept_triangles = 0;
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+        if (size[pieces.first(v)] < speck) return;
+        number[v] = kept;
+        surface.positions[kept++] = surface.positions[v];
+    });
+    if (kept == 0 || kept == vertices) co_return;
+    co_await each(pace, surface.triangles.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const TriangleVertices& t = surface.triangles[i];
+        if (size[pieces.first(t[0])] >= speck)
+            surface.triangles[kept_triangles++] = {number[t[0]], number[t[1]], number[t[2]]};
+    });
+    surface.positions.resize(kept);
+    surface.triangles.resize(kept_triangles);
+}
+
 }  // namespace
+
+double expected_spacing(std::span<const PlacedPart> parts, uint32_t vertices) {
+    double area = 0;
+    for (const PlacedPart& part : parts) {
+        const auto& m = part.placement;
+        area += surface_by_shape * part.part->area * (m[0] * m[0] + m[4] * m[4] + m[8] * m[8]);
+    }
+    return std::sqrt(cells_by_area * area / vertices);
+}
 
 Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
     pace.stage("merge");
@@ -246,12 +280,16 @@ Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, Mer
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: %u vertices asked for; a surface has %u or more",
                       options.vertices, min_vertices);
     PartUnion parts = co_await PartUnion::make(pace, placed, options.blend);
-    const double coarse = coarse_spacing(parts, options.vertices);
+    // A lattice that gives about a fourth of the vertices.
+    const double coarse = coarser * expected_spacing(placed, options.vertices);
     parts.set_gap(gap_cells * coarse / coarser);
     const uint32_t counted = co_await count_vertices(pace, parts, coarse);
     const double spacing = fine_spacing(parts, coarse, counted, options);
     parts.set_gap(gap_cells * spacing);
     DualSurface surface = co_await surface_on_lattice(pace, parts, spacing);
+    const bool some_apart =
+        std::any_of(placed.begin(), placed.end(), [](const auto& p) { return !p.apart_from.empty(); });
+    if (some_apart) co_await drop_specks(pace, surface);
     const Buffer<PartUnion::Sample> samples =
         co_await improve_mesh(pace, parts, spacing, surface.positions, surface.triangles);
 

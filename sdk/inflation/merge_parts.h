@@ -29,6 +29,9 @@ struct MergeOptions {
     double blend = -1;               // as PartUnion has it
 };
 
+// About how long edges get, from the areas of the parts: longer than they are, as parts overlap.
+double expected_spacing(std::span<const PlacedPart> parts, uint32_t vertices);
+
 // Of parts that are inflated; at least one. `parts` and what they point to outlive the task. Takes about 8 us a vertex.
 // Throws, with a sentence, for placements and numbers that are out of range, and if the thinnest part needs more
 // vertices than options.max_vertices.

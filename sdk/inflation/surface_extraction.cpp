@@ -151,7 +151,8 @@ void SurfaceGrid::seed(const ImplicitPart& part, uint32_t vertex) {
     const InflatedPart& shape = part.part();
     for (const double side : {-1.0, 1.0}) {
         const Point2& p = shape.points[vertex];
-        const Vec3 place = part.place(Vec3(p.x, p.y, side * part.thickness() * std::sqrt(shape.squares[vertex])));
+        const double height = side * part.thickness() * std::sqrt(shape.squares[vertex]);
+        const Vec3 place = part.place(Vec3(p.x, p.y, part.lift(p.x, p.y) + height));
         if (parts_.sample(place).value > deep * spacing_) continue;
         // The blocks of all cells around it.
         for (uint32_t i = 0; i < 8; ++i) {

@@ -10,7 +10,9 @@
 //   point rounding gives those left any sign. So do two vertices at one place that share a diagonal.
 // - A vertex between edges that meet face to face is infinitely fast: it waits until all else at its time is done. So
 //   does one that would move out of its only triangle.
-// - Of triangles that are flat together the one with the longest side is flipped first.
+// - Of triangles that are flat together the one with the longest side is flipped first. The way to it is kept: what is
+//   flat behind it comes next.
+// - A flip whose new side would be flipped back tells that a triangle is flat, whatever its area.
 // - A diagonal that closes as its triangle gets flat is a double root of the area: when it closes is found by itself,
 //   and stands for the flattening up to closing_lead before.
 // - Each vertex is put onto its two lines where these are far from parallel, so errors do not add up.

@@ -472,6 +472,25 @@ TEST_F(Hierarchy, EditsOfAMirroredPartMeanBothOrOne) {
     EXPECT_EQ(skeleton.find("leg_1.R")->name, "knee");
 }
 
+TEST_F(Hierarchy, RefusesDepthsAndPairsThatCantBe) {
+    std::vector<FlgModelPart> parts = {
+        part("body", smooth(tube({{-3, 0, 0.9}, {-1, 0.2, 1.1}, {1, 0.1, 1.0}, {3, 0.4, 0.9}})))};
+    FlgModelDesc desc = desc_of(parts);
+    const auto expect = [&](const std::string& words) {
+        EXPECT_NE(refused(desc).find(words), std::string::npos) << flgErrorGetMessage();
+    };
+    desc.apart_pair_count = 1;
+    expect("desc.apart_pairs is null");
+    const uint32_t pair[] = {0, 1};
+    desc.apart_pairs = pair;
+    expect("desc.apart_pairs[1] is 1");
+    desc.apart_pair_count = 65536;
+    expect("desc.apart_pair_count is 65536");
+    desc.apart_pair_count = 0;
+    parts[0].depth = INFINITY;
+    expect("desc.parts[0].depth is inf");
+}
+
 TEST_F(Hierarchy, RefusesEditsThatCantBeAndKeepsTheLastModel) {
     const std::vector<FlgModelPart> parts = {
         part("body", smooth(tube({{-3, 0, 0.9}, {-1, 0.2, 1.1}, {1, 0.1, 1.0}, {3, 0.4, 0.9}})))};

@@ -127,6 +127,46 @@ TEST(Skin, IsTheSameUnderWorkers) {
     }
 }
 
+// Two legs that cross.
+TEST(Skin, JointsOfLimbsThatCrossMoveOutOfTheDrawing) {
+    const SkinHost host;
+    FlgModelPart parts[3] = {flgModelPartDefaults(), flgModelPartDefaults(), flgModelPartDefaults()};
+    parts[0].part = host.part(ellipse(0, 0, 1.6, 0.9));
+    parts[1].part = host.part({-1.05, -0.2, 0.85, -4, 1.25, -3.9, -0.65, -0.1});
+    parts[2].part = host.part({0.65, -0.1, -1.25, -3.9, -0.85, -4, 1.05, -0.2});
+    FlgModelDesc desc = flgModelDefaults();
+    desc.parts = parts;
+    desc.part_count = 3;
+    // The front of the two, by how far their last joints are in front of the drawing.
+    const auto front = [&] {
+        FlgModel model{};
+        EXPECT_EQ(flgModelCreate(host.context, &desc, &model, nullptr), FLG_OK) << flgErrorGetMessage();
+        FlgSkinDesc of_skin = flgSkinDefaults();
+        of_skin.model = model;
+        of_skin.vertex_count = 3000;
+        FlgSkin skin{};
+        EXPECT_EQ(flgSkinCreate(host.context, &of_skin, &skin, nullptr), FLG_OK) << flgErrorGetMessage();
+        host.finish();
+        FlgSkinView view = flgSkinViewDefaults();
+        FlgModelView bones = flgModelViewDefaults();
+        EXPECT_EQ(flgSkinGetView(host.context, skin, &view), FLG_OK) << flgErrorGetMessage();
+        EXPECT_EQ(flgModelGetView(host.context, model, &bones), FLG_OK);
+        float depth[3] = {0, 0, 0};
+        for (uint32_t j = 0; j < bones.joint_count; ++j) {
+            EXPECT_EQ(bones.joint_positions[3 * j + 2], 0);
+            EXPECT_EQ(view.joint_positions[3 * j], bones.joint_positions[3 * j]);
+            float& own = depth[bones.joint_parts[j]];
+            if (std::abs(view.joint_positions[3 * j + 2]) > std::abs(own)) own = view.joint_positions[3 * j + 2];
+        }
+        EXPECT_EQ(depth[0], 0);
+        EXPECT_GT(std::abs(depth[1] - depth[2]), 0.2f);
+        return depth[1] > depth[2] ? 1 : 2;
+    };
+    EXPECT_EQ(front(), 2);
+    parts[1].depth = 1;
+    EXPECT_EQ(front(), 1);
+}
+
 TEST(Skin, PartsThatMeetNoneStayPieces) {
     const SkinHost host;
     const FlgPart disc = host.part(ellipse(0, 0, 1, 1));

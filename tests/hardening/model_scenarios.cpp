@@ -60,6 +60,10 @@ FlgModel make_model(Calls& calls) {
     desc.joint_edits = edits;
     desc.joint_edit_count = 2;
     desc.previous = model;
+    const uint32_t apart[] = {1, 1};
+    parts[1].depth = 1;
+    desc.apart_pairs = apart;
+    desc.apart_pair_count = 1;
     FLG_CALL(calls, flgModelCreate, calls.context, &desc, calls.out(model), calls.job());
     FLG_CALL(calls, flgModelRelease, calls.context, desc.previous);
     FLG_CALL(calls, flgPartRelease, calls.context, parts[0].part);

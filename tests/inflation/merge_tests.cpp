@@ -56,8 +56,9 @@ TEST(Merge, PartsKeptApartTouchWithoutBecomingOne) {
     Model model;
     model.add(disc, placement({-0.6, 0, 0}));
     model.repeat(0, placement({0.6, 0, 0}));
-    model.parts[0].apart_from = 1;
-    model.parts[1].apart_from = 0;
+    const uint32_t numbers[] = {0, 1};
+    model.parts[0].apart_from = {numbers + 1, 1};
+    model.parts[1].apart_from = {numbers, 1};
     const MergedMesh mesh = merged(model, {.vertices = 4000});
     const ClosedMesh both = checked(mesh);
     EXPECT_EQ(both.fault, "");
@@ -75,8 +76,9 @@ TEST(Merge, PartsKeptApartHangOnOthers) {
     model.add({ellipse(0, 0, 1.2, 0.7)}, placement({0, 0, 0}));
     model.add({capsule(0, 0, 0.3, 0, -1.5, 0.25)}, placement({0, -0.2, 0.2}), 0.75);
     model.repeat(1, placement({0, -0.2, -0.2}));
-    model.parts[1].apart_from = 2;
-    model.parts[2].apart_from = 1;
+    const uint32_t numbers[] = {1, 2};
+    model.parts[1].apart_from = {numbers + 1, 1};
+    model.parts[2].apart_from = {numbers, 1};
     const MergedMesh mesh = merged(model, {.vertices = 6000});
     const ClosedMesh all = checked(mesh);
     EXPECT_EQ(all.fault, "");

@@ -59,6 +59,40 @@ TEST(StraightSkeleton, RegularPolygonsMeetAtTheirApothem) {
     }
 }
 
+Rings turned(Rings rings, double angle) {
+    for (auto& ring : rings)
+        for (Point2& p : ring)
+            p = {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
+    return rings;
+}
+
+// Half of all changes come at one time, in triangles that are flat together; turned, their points are off their lines
+// by more than a rounding error.
+TEST(StraightSkeleton, CombsNeedNoPerturbation) {
+    EXPECT_EQ(checked_skeleton(turned(comb(1000, 0), 0.3)).perturbation, 0);
+    for (const double angle : {0.0, 0.3, 1.1})
+        EXPECT_EQ(skeleton_of(contour_of(turned(comb(5000, 0), angle))).perturbation, 0) << angle;
+}
+
+// By looks at the pace, each after some 10 us of work.
+TEST(StraightSkeleton, StructuredGiantsTakeLinearTime) {
+    const auto looks = [](const Rings& rings) {
+        size_t count = 0;
+        const Contour contour = contour_of(rings);
+        StraightSkeleton skeleton(std::pmr::new_delete_resource());
+        run_haltingly(
+            std::pmr::new_delete_resource(), [&](Pace& pace) { return straight_skeleton(pace, contour, skeleton); },
+            [&](const auto& slice) {
+                ++count;
+                slice();
+            });
+        return static_cast<double>(count) / contour.size();
+    };
+    for (const double angle : {0.0, 0.3})
+        EXPECT_LT(looks(turned(comb(8000, 0), angle)), 1.6 * looks(turned(comb(2000, 0), angle))) << angle;
+    EXPECT_LT(looks({regular(80000, 3)}), 3);
+}
+
 // Two arms of width 2; the reflex corner's arc reaches the diagonal of the outer corner.
 TEST(StraightSkeleton, LHasThreeNodes) {
     const StraightSkeleton skeleton = checked_skeleton({{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 5}, {0, 5}}});

@@ -7,6 +7,7 @@
 #include "shell/studio_error.h"
 #include "skeletons/drawing_file.h"
 #include "skeletons/history.h"
+#include "skeletons/joint_edits.h"
 #include "skeletons/rig.h"
 #include "tools/program.h"
 
@@ -123,6 +124,10 @@ TEST(StudioDrawing, DocumentsAndFilesKeepIt) {
     drawing.pose.turns["leg_0.L"] = glm::angleAxis(0.5f, glm::vec3(0, 0, 1));
     drawing.pose.shift = {0.0f, 0.5f, 0.0f};
     drawing.picture = {"cat.png", {0.5, 0.25}, 2.0, 0.4f};
+    pin_joint(drawing, "arm_1", {0.25, 0.5, 0});
+    rename_joint(drawing, "arm_1", "elbow");
+    merge_joint(drawing, "arm_2");
+    drawing.parts[0].depth = 2.0f;
     const Drawing again = drawing_of_document(document_json(drawing));
     ASSERT_EQ(again.parts.size(), 2u);
     EXPECT_EQ(again.parts[1].contour->rings, drawing.parts[1].contour->rings);
@@ -135,6 +140,8 @@ TEST(StudioDrawing, DocumentsAndFilesKeepIt) {
     EXPECT_EQ(again.pose.turns, drawing.pose.turns);
     EXPECT_EQ(again.pose.shift, drawing.pose.shift);
     EXPECT_EQ(again.picture, drawing.picture);
+    EXPECT_EQ(again.joint_edits, drawing.joint_edits);
+    EXPECT_EQ(again.parts[0].depth, 2.0f);
     EXPECT_EQ(document_json(again), document_json(drawing));
     EXPECT_TRUE(drawing_of_document(document_json(Drawing{})).parts.empty());
 
@@ -170,6 +177,29 @@ TEST(StudioDrawing, NamesAreFreeAndWholeCharacters) {
     EXPECT_EQ(umlauts, std::string(47, 'a'));
 }
 
+TEST(StudioJoints, EditsReplaceEachOtherAndFollowTheirPart) {
+    Drawing drawing;
+    Rig rig;
+    rig.keys = rig.names = {"arm_0.L", "arm_1.L", "arm_1.R"};
+    EXPECT_EQ(key_of(rig, 1), "arm_1");
+    pin_joint(drawing, "arm_1", {1, 0, 0});
+    pin_joint(drawing, "arm_1", {2, 0, 0});
+    ASSERT_EQ(drawing.joint_edits.size(), 1u);
+    EXPECT_EQ(drawing.joint_edits[0].at[0], 2.0);
+    const std::string half = split_bone(drawing, rig, "arm_1");
+    EXPECT_NE(split_bone(drawing, rig, "arm_1"), half);
+    rename_joint(drawing, half, "wrist");
+    rename_joint(drawing, half, half);
+    EXPECT_EQ(drawing.joint_edits.size(), 3u) << "as it was called before";
+    // What a split made is not made, rather than merged.
+    merge_joint(drawing, half);
+    EXPECT_EQ(drawing.joint_edits.size(), 2u);
+    rename_part(drawing, "arm", "wing");
+    EXPECT_EQ(drawing.joint_edits[0].joint, "wing_1");
+    reset_joint(drawing, "wing_1");
+    EXPECT_TRUE(drawing.joint_edits.empty());
+}
+
 // A spine of three joints, then two limbs of three.
 Rig forked() {
     Rig rig;
@@ -177,7 +207,8 @@ Rig forked() {
                 {2.4f, -2.4f, 0}, {2.5f, 0.8f, 0}, {2.6f, 1.7f, 0}, {2.4f, 2.4f, 0}};
     rig.parents = {FLG_NO_INDEX, 0, 1, 2, 3, 4, 2, 6, 7};
     rig.child_counts = {1, 1, 2, 1, 1, 0, 1, 1, 0};
-    for (size_t j = 0; j < rig.rest.size(); ++j) rig.names.push_back("joint_" + std::to_string(j));
+    for (size_t j = 0; j < rig.rest.size(); ++j) rig.keys.push_back("joint_" + std::to_string(j));
+    rig.names = rig.keys;
     rig.radii.assign(rig.rest.size(), 0.2f);
     rig.parts.assign(rig.rest.size(), 1);
     rig.size = 8.0f;

@@ -65,6 +65,10 @@ TEST(Studio, DrawsAnAnimalThatIsMovedRefinedAndPosed) {
     plays("skeletons", Folder());
 }
 
+TEST(Studio, SetsJointsThatStayAsTheyWereSet) {
+    plays("joints", Folder());
+}
+
 TEST(Studio, LaysCurvesAroundObstaclesAndPlaysAMotion) {
     plays("splines", Folder());
 }

@@ -31,14 +31,14 @@ Task<void> time_skeletons(Pace& pace, const std::vector<Contour>& contours, doub
     ms = thread_ms() - begin_ms;
 }
 
-double skeleton_ms(const std::vector<Ring>& rings) {
+double skeleton_ms(const std::vector<Ring>& rings, int runs = kSkeletonRuns) {
     Memory* memory = std::pmr::new_delete_resource();
     std::vector<Contour> contours;
     for (const Ring& ring : rings) {
         const uint32_t offsets[] = {0, static_cast<uint32_t>(ring.size())};
         contours.push_back(clean_contour(ring, offsets, memory));
     }
-    return median_ms(kSkeletonRuns, [&] {
+    return median_ms(runs, [&] {
         double ms = 0;
         run_now(memory, [&](Pace& pace) { return time_skeletons(pace, contours, ms); });
         return ms;
@@ -70,6 +70,30 @@ Ring star(uint32_t n) {
         const double angle = 2 * std::numbers::pi * (i + 0.8 * random_unit(n, i, 0)) / n,
                      radius = 0.2 + random_unit(n, i, 1);
         ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return ring;
+}
+
+// Teeth of one length over a straight edge, turned: half of all changes come at one time, in triangles that are flat
+// together.
+Ring comb(uint32_t teeth, double angle) {
+    Ring ring = {{0, 0}, {2.0 * teeth - 1, 0}};
+    for (uint32_t i = teeth; i-- > 0;) {
+        const double x = 2.0 * i;
+        ring.insert(ring.end(), {{x + 1, 5}, {x, 5}});
+        if (i > 0) ring.insert(ring.end(), {{x, 1}, {x - 1, 1}});
+    }
+    for (Point2& p : ring)
+        p = {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
+    return ring;
+}
+
+// All changes come at one time, in one place.
+Ring regular(uint32_t n) {
+    Ring ring;
+    for (uint32_t i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        ring.push_back({std::cos(angle), std::sin(angle)});
     }
     return ring;
 }
@@ -142,6 +166,10 @@ std::vector<Row> run_skeletons() {
         below("straight skeleton: star of 100", skeleton_ms({star(100)}), "ms", 0.2),
         below("straight skeleton: star of 1,000", skeleton_ms({star(1000)}), "ms", 4),
         below("straight skeleton: star of 3,000", skeleton_ms({star(3000)}), "ms", 20),
+        below("straight skeleton: comb of 100,000", skeleton_ms({comb(25'000, 0)}, 3), "ms", 800),
+        below("straight skeleton: comb of 100,000, turned", skeleton_ms({comb(25'000, 0.3)}, 3), "ms", 800),
+        below("straight skeleton: regular polygon of 70,000", skeleton_ms({regular(70'000)}, 3), "ms", 1000),
+        below("straight skeleton: regular polygon of 200,000", skeleton_ms({regular(200'000)}, 3), "ms", 3000),
         below("straight skeleton: longest chunk of a star of 100,000", max_slice_us(star(100'000)), "us", 100)};
 #if defined(FLG_WITH_CGAL)
     rows.push_back(beside_cgal(12, 10));

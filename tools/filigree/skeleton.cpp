@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // filigree skeleton: from contours to bones.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
 #include "choices.h"
 #include "command.h"
 #include "documents/extensions.h"
@@ -20,6 +24,7 @@ struct Options {
     std::string output, bones;
     std::optional<float> simplify, merge, prune, collapse, detail;
     std::string root;
+    std::vector<std::string> apart, depths;
     uint32_t vertices = flgSkinDefaults().vertex_count;
     bool repair = false;
     std::array<float, 3> from = {0, 0, 1};
@@ -30,6 +35,27 @@ const std::map<std::string, FlgRigStandard> standards = {
     {"vrm", FLG_RIG_STANDARD_VRM}, {"unity", FLG_RIG_STANDARD_UNITY}, {"unreal", FLG_RIG_STANDARD_UNREAL}};
 const std::map<std::string, SkinMotion> motions = {
     {"walk", SkinMotion::walk}, {"idle", SkinMotion::idle}, {"wave", SkinMotion::wave}, {"swing", SkinMotion::swing}};
+
+// NAME,REST at the last comma: names may have some.
+std::array<std::string, 2> at_comma(const std::string& text, const char* option, const char* form) {
+    const size_t comma = text.rfind(',');
+    if (comma == std::string::npos || comma == 0 || comma + 1 == text.size())
+        throw UsageError(std::string(option) + ": must be " + form + ", not " + text);
+    return {text.substr(0, comma), text.substr(comma + 1)};
+}
+
+void set_depths(const Options& options, ModelDrawing& drawing) {
+    for (const std::string& text : options.apart) drawing.apart.push_back(at_comma(text, "--apart", "PART,PART"));
+    for (const std::string& text : options.depths) {
+        const auto [name, number] = at_comma(text, "--depth", "PART,NUMBER");
+        const auto part = std::find_if(drawing.parts.begin(), drawing.parts.end(),
+                                       [&name = name](const DrawnPart& drawn) { return drawn.name == name; });
+        if (part == drawing.parts.end()) throw UsageError("--depth: there is no part " + name);
+        char* end = nullptr;
+        part->depth = std::strtof(number.c_str(), &end);
+        if (*end != 0 || !std::isfinite(part->depth)) throw UsageError("--depth: " + number + " is not a number");
+    }
+}
 
 ModelDrawing read_drawing(const Options& options, Session& session, Report& report) {
     ModelDrawing drawing;
@@ -42,6 +68,7 @@ ModelDrawing read_drawing(const Options& options, Session& session, Report& repo
     }
     drawing.repair = options.repair;
     if (!options.root.empty()) drawing.root = options.root;
+    set_depths(options, drawing);
     const auto set = [&](FlgBoneThresholds& thresholds) {
         thresholds.simplify = options.simplify.value_or(thresholds.simplify);
         thresholds.merge = options.merge.value_or(thresholds.merge);
@@ -218,6 +245,15 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
         ->delimiter(',')
         ->check(CLI::IsMember(motions).description(""))
         ->type_name("walk|idle|wave|swing,...");
+    command
+        ->add_option("--depth", options->depths,
+                     "Where parts cross, the one of greater depth passes in front, of equal depth the one drawn later; "
+                     "default 0. Once a part")
+        ->type_name("PART,NUMBER")
+        ->allow_extra_args(false);
+    command->add_option("--apart", options->apart, "Two parts that are not welded where they touch. Once a pair")
+        ->type_name("PART,PART")
+        ->allow_extra_args(false);
     return {command, [options, &common] { run_skeleton(*options, common); }};
 }
 

@@ -32,6 +32,7 @@ struct DrawnPart {
     glm::dvec3 turn{0.0};  // degrees about x, then y, then z
     double scale = 1.0;
     float thickness = 0.8f;
+    float depth = 0.0f;  // of two parts that cross, the one with more passes in front
     bool mirrored = false;
     bool visible = true;
     glm::vec3 color{0.694f, 0.266f, 0.047f};  // linear
@@ -47,6 +48,15 @@ struct DrawnPart {
     void place(const glm::dvec3& turn_degrees, double size);
 };
 
+// What was set about a joint, as FlgJointEdit has it.
+struct JointEdit {
+    FlgJointEditKind kind = FLG_JOINT_EDIT_KIND_PIN;
+    std::string joint, name;
+    std::array<double, 3> at{};
+    double share = 0.5;
+    bool operator==(const JointEdit&) const = default;
+};
+
 // Pictures lie in the plane z = 0.
 struct TracedPicture {
     std::string path;  // empty: none
@@ -56,7 +66,7 @@ struct TracedPicture {
     bool operator==(const TracedPicture&) const = default;
 };
 
-// Of the skin's joints, by their names: those that are not there any more are kept until they come back.
+// Of the skin's joints, by their keys: those that are not there any more are kept until they come back.
 struct Pose {
     std::map<std::string, glm::quat> turns;  // within the parent's frame
     glm::vec3 shift{0.0f};                   // of the roots, metres
@@ -69,6 +79,8 @@ struct Drawing {
     FlgBoneThresholds thresholds = kUsualBones;
     TracedPicture picture;
     Pose pose;
+    std::vector<JointEdit> joint_edits;             // in the order they were made
+    std::vector<std::array<std::string, 2>> apart;  // parts that are not welded, by name
 
     const DrawnPart* find(uint32_t id) const;
     DrawnPart* find(uint32_t id);

@@ -34,6 +34,7 @@ DrawnPart part_of(const cli::DrawnPart& from, const FlgBoneThresholds& of_all) {
     part.contour = contour_of(from.contour);
     set_placement(part, from.placement);
     part.thickness = from.thickness;
+    part.depth = from.depth;
     part.mirrored = from.is_mirrored;
     part.color = {from.material.color[0], from.material.color[1], from.material.color[2]};
     part.metallic = from.material.metallic;
@@ -46,6 +47,9 @@ Drawing drawing_of(const cli::ModelDrawing& from) {
     Drawing drawing;
     drawing.mirror = {from.mirror[0], from.mirror[1], from.mirror[2], from.mirror[3]};
     drawing.thresholds = from.thresholds;
+    drawing.apart = from.apart;
+    for (const cli::JointEdit& edit : from.joint_edits)
+        drawing.joint_edits.push_back({edit.kind, edit.joint, edit.name, edit.at, edit.share});
     for (const cli::DrawnPart& part : from.parts) {
         drawing.parts.push_back(part_of(part, from.thresholds));
         drawing.parts.back().name = drawing.free_name(part.name, drawing.parts.back().id);
@@ -96,7 +100,18 @@ nlohmann::json part_json(const DrawnPart& part) {
     }
     json["contour"] = std::move(rings);
     if (part.thresholds) put_thresholds(json, *part.thresholds);
+    if (part.depth != 0.0f) json["depth"] = part.depth;
     return json;
+}
+
+nlohmann::json edit_json(const JointEdit& edit) {
+    switch (edit.kind) {
+        case FLG_JOINT_EDIT_KIND_PIN: return {{"joint", edit.joint}, {"edit", "pin"}, {"at", edit.at}};
+        case FLG_JOINT_EDIT_KIND_SPLIT:
+            return {{"joint", edit.joint}, {"edit", "split"}, {"name", edit.name}, {"share", edit.share}};
+        case FLG_JOINT_EDIT_KIND_MERGE: return {{"joint", edit.joint}, {"edit", "merge"}};
+        default: return {{"joint", edit.joint}, {"edit", "rename"}, {"name", edit.name}};
+    }
 }
 
 // What reading a document or a drawing may throw.
@@ -135,6 +150,8 @@ nlohmann::json drawing_json(const Drawing& drawing) {
     put_thresholds(json, drawing.thresholds);
     json["parts"] = nlohmann::json::array();
     for (const DrawnPart& part : drawing.parts) json["parts"].push_back(part_json(part));
+    for (const JointEdit& edit : drawing.joint_edits) json["joints"].push_back(edit_json(edit));
+    if (!drawing.apart.empty()) json["apart"] = drawing.apart;
     return json;
 }
 

@@ -26,7 +26,7 @@ FlgBoneThresholds thresholds_of(const std::array<float, 5>& from) {
 
 bool ModelRecipe::Part::is_shaped_as(const Part& other) const {
     return id == other.id && contour == other.contour && placement == other.placement && thickness == other.thickness &&
-           mirrored == other.mirrored;
+           depth == other.depth && mirrored == other.mirrored;
 }
 
 bool ModelRecipe::is_shaped_as(const ModelRecipe& other) const {
@@ -98,16 +98,28 @@ void LiveModel::look_at_parts() {
 }
 
 void LiveModel::start_model(const Drawing& drawing) {
-    ModelRecipe recipe{
-        {}, {drawing.mirror.x, drawing.mirror.y, drawing.mirror.z, drawing.mirror.w}, array_of(drawing.thresholds)};
+    ModelRecipe recipe{{},
+                       {drawing.mirror.x, drawing.mirror.y, drawing.mirror.z, drawing.mirror.w},
+                       array_of(drawing.thresholds),
+                       drawing.joint_edits,
+                       {}};
     for (const DrawnPart& part : drawing.parts) {
         const PartMade& made = parts_.at(part.contour.get());
         if (!part.visible || !made.state.fault.empty()) continue;
         ModelRecipe::Part& entry = recipe.parts.emplace_back(ModelRecipe::Part{
-            part.id, part.name, part.contour, part.placement(), part.thickness, part.mirrored, {}, {}});
+            part.id, part.name, part.contour, part.placement(), part.thickness, part.depth, part.mirrored, {}, {}});
         if (part.thresholds) entry.thresholds = array_of(*part.thresholds);
         if (made.state.ready && part.branch_simplify.size() == made.view.branch_count)
             entry.branch_simplify = part.branch_simplify;
+    }
+    for (const auto& pair : drawing.apart) {
+        const auto place = [&](const std::string& name) {
+            const auto found = std::find_if(recipe.parts.begin(), recipe.parts.end(),
+                                            [&](const ModelRecipe::Part& part) { return part.name == name; });
+            return static_cast<uint32_t>(found - recipe.parts.begin());
+        };
+        const uint32_t first = place(pair[0]), second = place(pair[1]);
+        if (std::max(first, second) < recipe.parts.size()) recipe.apart.insert(recipe.apart.end(), {first, second});
     }
     if (recipe != wanted_) {
         model_failed_ = skin_failed_ = false;
@@ -131,6 +143,7 @@ void LiveModel::start_model(const Drawing& drawing) {
         part.name = entry.name.c_str();
         std::copy(entry.placement.begin(), entry.placement.end(), part.placement);
         part.thickness = entry.thickness;
+        part.depth = entry.depth;
         part.mirrored = entry.mirrored;
         FlgBoneThresholds& own = thresholds[parts.size()];
         if (entry.thresholds) {
@@ -152,6 +165,19 @@ void LiveModel::start_model(const Drawing& drawing) {
     urgent.priority = FLG_PRIORITY_HIGH;
     desc.job = &urgent;
     std::copy(recipe.mirror.begin(), recipe.mirror.end(), desc.mirror);
+    std::vector<FlgJointEdit> edits;
+    for (const JointEdit& edit : recipe.joint_edits) {
+        FlgJointEdit& out = edits.emplace_back(flgJointEditDefaults());
+        out.kind = edit.kind;
+        out.joint = edit.joint.c_str();
+        out.name = edit.name.empty() ? nullptr : edit.name.c_str();
+        std::copy(edit.at.begin(), edit.at.end(), out.at);
+        out.share = edit.share;
+    }
+    desc.joint_edits = edits.data();
+    desc.joint_edit_count = static_cast<uint32_t>(edits.size());
+    desc.apart_pairs = recipe.apart.data();
+    desc.apart_pair_count = static_cast<uint32_t>(recipe.apart.size() / 2);
     // So joints keep their names, and with them their poses, while the drawing changes.
     desc.previous = model_.get();
     FlgModel handle{};

@@ -22,7 +22,7 @@ struct ModelRecipe {
         std::string name;
         ContourPtr contour;
         std::array<double, 12> placement;
-        float thickness;
+        float thickness, depth;
         bool mirrored;
         std::optional<std::array<float, 5>> thresholds;
         std::vector<float> branch_simplify;
@@ -33,6 +33,8 @@ struct ModelRecipe {
     std::vector<Part> parts;
     std::array<float, 4> mirror;
     std::array<float, 5> thresholds;
+    std::vector<JointEdit> joint_edits;
+    std::vector<uint32_t> apart;  // indices of parts, two a pair
     bool operator==(const ModelRecipe&) const = default;
     bool is_shaped_as(const ModelRecipe& other) const;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "shell/widgets.h"
+#include "skeletons/joint_edits.h"
 #include "skeletons/skeletons.h"
 
 namespace flg::studio {
@@ -24,9 +25,11 @@ void Skeletons::take_name() {
     const DrawnPart* part = editor_.drawing().find(std::exchange(name_of_, 0));
     if (part == nullptr || part->name == name_text_) return;
     const uint32_t id = part->id;
-    const std::string name = editor_.drawing().free_name(name_text_, id);
+    const std::string before = part->name, name = editor_.drawing().free_name(name_text_, id);
     editor_.commit();
-    editor_.change("name").find(id)->name = name;
+    Drawing& drawing = editor_.change("name");
+    rename_part(drawing, before, name);
+    drawing.find(id)->name = name;
     editor_.commit();
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "skeletons/part_picking.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
+
+#include "skeletons/model_picture.h"
 
 namespace flg::studio {
 namespace {
@@ -90,11 +93,29 @@ bool is_in_polygon(std::span<const glm::vec2> polygon, glm::vec2 px) {
     return is_inside(Ring(polygon.begin(), polygon.end()), glm::dvec2(px));
 }
 
-std::optional<glm::dvec2> meet_part(const View& view, const DrawnPart& part, glm::vec2 px) {
+std::optional<glm::dvec2> meet_part(const View& view, const DrawnPart& part, glm::vec2 px, const glm::vec4* mirror) {
     const glm::dmat4 matrix = part.matrix();
-    const auto place = meet_plane(view.ray(px), glm::vec3(matrix[3]), glm::normalize(glm::vec3(matrix[2])));
+    const auto shown = [&](const glm::dvec3& p) { return mirror != nullptr ? mirrored(*mirror, p) : p; };
+    const glm::dvec3 at = shown(glm::dvec3(matrix[3])), over = shown(glm::dvec3(matrix[3] + matrix[2]));
+    const auto place = meet_plane(view.ray(px), glm::vec3(at), glm::normalize(glm::vec3(over - at)));
     if (!place) return std::nullopt;
-    return glm::dvec2(glm::inverse(matrix) * glm::dvec4(glm::dvec3(*place), 1.0));
+    return glm::dvec2(glm::inverse(matrix) * glm::dvec4(shown(glm::dvec3(*place)), 1.0));
+}
+
+std::optional<uint32_t> joint_at(const View& view, glm::vec2 px, const Rig& rig, const PosedJoints& joints,
+                                 float reach) {
+    std::optional<uint32_t> found;
+    float nearest = std::numeric_limits<float>::infinity();
+    for (uint32_t j = 0; j < rig.count(); ++j) {
+        const auto at = view.project(joints.at[j]);
+        if (!at) continue;
+        const float ball = joint_radius(rig, j) / std::max(view.metres_per_px(joints.at[j]), 1e-9f);
+        const float distance = glm::distance(*at, px);
+        if (distance > std::max(reach, ball) || distance >= nearest) continue;
+        nearest = distance;
+        found = j;
+    }
+    return found;
 }
 
 }  // namespace flg::studio

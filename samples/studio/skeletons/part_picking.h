@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which part of the drawing lies under the mouse, and where parts' outlines are in the window.
+// Which part of the drawing or which joint lies under the mouse, and where parts' outlines are in the window.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,14 @@ std::vector<glm::vec2> ring_in_window(const View& view, const DrawnPart& part, c
                                       const glm::vec4* mirror = nullptr);
 bool is_in_polygon(std::span<const glm::vec2> polygon, glm::vec2 px);
 
-// Where the ray through a pixel meets the part's plane, in units of its contour.
-std::optional<glm::dvec2> meet_part(const View& view, const DrawnPart& part, glm::vec2 px);
+constexpr float kJointReach = 9.0f;  // units of the layout
+
+// The nearest joint within its ball, as it is drawn, or within `reach` pixels.
+std::optional<uint32_t> joint_at(const View& view, glm::vec2 px, const Rig& rig, const PosedJoints& joints,
+                                 float reach);
+
+// Where the ray through a pixel meets the part's plane, or that of its mirror image, in units of its contour.
+std::optional<glm::dvec2> meet_part(const View& view, const DrawnPart& part, glm::vec2 px,
+                                    const glm::vec4* mirror = nullptr);
 
 }  // namespace flg::studio

@@ -5,35 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "shell/widgets.h"
 #include "skeletons/ink.h"
-#include "skeletons/model_picture.h"
+#include "skeletons/part_picking.h"
 
 namespace flg::studio {
 namespace {
 
-constexpr float kReach = 9.0f;             // units of the layout
 constexpr float kTurn_per_unit = 0.0125f;  // radians
 
 }  // namespace
-
-std::optional<uint32_t> PoseTool::joint_at(glm::vec2 px, const Rig& rig, const PosedJoints& joints) const {
-    const View& view = editor_.app.view;
-    std::optional<uint32_t> found;
-    float nearest = std::numeric_limits<float>::infinity();
-    for (uint32_t j = 0; j < rig.count(); ++j) {
-        const auto at = view.project(joints.at[j]);
-        if (!at) continue;
-        const float ball = joint_radius(rig, j) / std::max(view.metres_per_px(joints.at[j]), 1e-9f);
-        const float distance = glm::distance(*at, px);
-        if (distance > std::max(kReach * editor_.app.scale, ball) || distance >= nearest) continue;
-        nearest = distance;
-        found = j;
-    }
-    return found;
-}
 
 std::vector<uint32_t> PoseTool::bright(const Rig& rig) const {
     const auto joint = dragged_ ? dragged_ : hovered_;
@@ -42,16 +24,18 @@ std::vector<uint32_t> PoseTool::bright(const Rig& rig) const {
 }
 
 void PoseTool::pointer(const Pointer& mouse, const Rig& rig, const PosedJoints& joints) {
-    if (!dragged_) hovered_ = mouse.inside ? joint_at(mouse.px, rig, joints) : std::nullopt;
+    if (!dragged_)
+        hovered_ = mouse.inside ? joint_at(editor_.app.view, mouse.px, rig, joints, kJointReach * editor_.app.scale)
+                                : std::nullopt;
     if (mouse.pressed && mouse.inside && hovered_) {
         editor_.commit();
         if (mouse.double_clicked) {
-            editor_.change("rest").pose.turns.erase(rig.names[*hovered_]);
+            editor_.change("rest").pose.turns.erase(rig.keys[*hovered_]);
             editor_.commit();
             return;
         }
         dragged_ = hovered_;
-        name_ = rig.names[*dragged_];
+        key_ = rig.keys[*dragged_];
         grab_px_ = mouse.px;
         grab_at_ = joints.at[*dragged_];
         is_twist_ = mouse.shift;
@@ -59,7 +43,7 @@ void PoseTool::pointer(const Pointer& mouse, const Rig& rig, const PosedJoints& 
     }
     if (!dragged_) return;
     // The bones may be others by now.
-    if (*dragged_ >= rig.count() || rig.names[*dragged_] != name_) return leave();
+    if (*dragged_ >= rig.count() || rig.keys[*dragged_] != key_) return leave();
     if (mouse.px != grab_px_ || editor_.is_acting()) {
         const View& view = editor_.app.view;
         Pose pose = before_;
@@ -84,7 +68,7 @@ void PoseTool::overlay(ImDrawList& list, const Rig& rig, const PosedJoints& join
     const float unit = editor_.app.scale;
     for (uint32_t j = 0; j < rig.count(); ++j) {
         const auto at = view.project(joints.at[j]);
-        if (at) ui::mark("joint " + rig.names[j], {*at - kReach * unit, *at + kReach * unit});
+        if (at) ui::mark("joint " + rig.names[j], {*at - kJointReach * unit, *at + kJointReach * unit});
     }
     const auto lit = dragged_ ? dragged_ : hovered_;
     if (!lit || *lit >= rig.count()) return;

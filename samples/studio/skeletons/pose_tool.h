@@ -24,11 +24,9 @@ public:
     std::vector<uint32_t> bright(const Rig& rig) const;
 
 private:
-    std::optional<uint32_t> joint_at(glm::vec2 px, const Rig& rig, const PosedJoints& joints) const;
-
     Editor& editor_;
     std::optional<uint32_t> hovered_, dragged_;
-    std::string name_;  // of the dragged joint
+    std::string key_;  // of the dragged joint
     glm::vec2 grab_px_{0.0f};
     glm::vec3 grab_at_{0.0f};
     bool is_twist_ = false;

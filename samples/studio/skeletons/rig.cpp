@@ -42,6 +42,10 @@ Rig rig_of(const FlgModelView& model, std::span<const uint32_t> sources) {
         rig.parents.push_back(model.joint_parents[j]);
         rig.parts.push_back(sources[model.part_sources[model.joint_parts[j]]]);
         rig.names.emplace_back(model.joint_names[j]);
+        rig.keys.emplace_back(model.joint_keys[j]);
+        rig.places.push_back(glm::make_vec3(model.joint_places + 3 * size_t{j}));
+        rig.pinned.push_back(model.joint_pinned[j] != 0);
+        rig.is_image.push_back(model.part_mirrored[model.joint_parts[j]] != 0);
         if (rig.parents[j] != FLG_NO_INDEX) ++rig.child_counts[rig.parents[j]];
     }
     return rig;
@@ -50,7 +54,7 @@ Rig rig_of(const FlgModelView& model, std::span<const uint32_t> sources) {
 std::vector<glm::quat> turns_of(const Rig& rig, const Pose& pose) {
     std::vector<glm::quat> turns(rig.count(), kNoTurn);
     for (size_t j = 0; j < rig.count(); ++j) {
-        const auto found = pose.turns.find(rig.names[j]);
+        const auto found = pose.turns.find(rig.keys[j]);
         if (found != pose.turns.end()) turns[j] = found->second;
     }
     return turns;
@@ -59,9 +63,9 @@ std::vector<glm::quat> turns_of(const Rig& rig, const Pose& pose) {
 void set_turns(Pose& pose, const Rig& rig, std::span<const glm::quat> turns) {
     for (size_t j = 0; j < rig.count(); ++j) {
         if (std::abs(turns[j].w) > 0.9999999f)
-            pose.turns.erase(rig.names[j]);
+            pose.turns.erase(rig.keys[j]);
         else
-            pose.turns[rig.names[j]] = turns[j];
+            pose.turns[rig.keys[j]] = turns[j];
     }
 }
 

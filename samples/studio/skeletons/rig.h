@@ -14,9 +14,11 @@ struct Rig {
     std::vector<float> radii;       // of the shape around, metres
     std::vector<uint32_t> parents;  // FLG_NO_INDEX: a root
     std::vector<uint32_t> child_counts;
-    std::vector<uint32_t> parts;  // id of the drawn part that each lies in
-    std::vector<std::string> names;
-    float size = 0.0f;  // what thresholds are shares of, metres
+    std::vector<uint32_t> parts;           // id of the drawn part that each lies in
+    std::vector<std::string> names, keys;  // as they are called; what stays when they are renamed
+    std::vector<glm::dvec3> places;        // in the drawings of their parts
+    std::vector<bool> pinned, is_image;    // the second: of a part's mirror image
+    float size = 0.0f;                     // what thresholds are shares of, metres
 
     size_t count() const { return rest.size(); }
     size_t bone_count() const;

@@ -30,7 +30,8 @@ std::string Skeletons::help() const {
         case Mode::move:
             return "Drag a part to move it, Shift-drag for depth. The handles turn and resize the selected part.";
         case Mode::refine:
-            return "Set the number of bones with the sliders. Click a part, then a branch, to refine only that.";
+            return "Set the number of bones with the sliders. Click a part, then a branch, to refine only that. Drag a "
+                   "joint to pin it.";
         default: return "Drag a joint to pose it. Shift-drag twists its bone. Double-click resets a joint.";
     }
 }
@@ -70,6 +71,7 @@ void Skeletons::drop_tools() {
     move_.drop();
     pose_.leave();
     branch_.leave();
+    joint_.leave();
 }
 
 void Skeletons::set_mode(Mode mode) {
@@ -109,7 +111,7 @@ void Skeletons::hide_meshes() {
 void Skeletons::update() {
     editor_.contours.update();
     layer_.update(editor_.drawing().picture);
-    const bool is_changing = move_.is_dragging() || is_sliding_;
+    const bool is_changing = move_.is_dragging() || joint_.is_dragging() || is_sliding_;
     const Body body = is_sliding_ && mode_ == Mode::refine ? Body::none : is_changing ? Body::quick : Body::fine;
     editor_.live.update(editor_.drawing(), body);
     app_.scene.set_drawing(!editor_.drawing().parts.empty());
@@ -236,15 +238,20 @@ void Skeletons::show_model() {
     ModelPicture::BonesLook look;
     look.selected_part = chosen;
     if (rig != nullptr && mode_ == Mode::pose) look.bright = pose_.bright(*rig);
+    if (rig != nullptr && mode_ == Mode::refine) look.bright = joint_.bright(*rig);
     picture_.show_bones(sees_bones ? *rig : Rig{}, shown_revision(), joints_.at, look);
 }
 
 void Skeletons::pointer(const Pointer& mouse) {
     if (mode_ == Mode::draw) return draw_.pointer(mouse);
     if (mode_ == Mode::move) return move_.pointer(mouse);
-    if (mode_ == Mode::refine) return branch_.pointer(mouse);
     const Rig* rig = shown_rig();
-    if (rig == nullptr || joints_.at.size() != rig->count()) return pose_.leave();
+    const bool has_joints = rig != nullptr && joints_.at.size() == rig->count();
+    if (mode_ == Mode::refine) {
+        if (!has_joints || !joint_.pointer(mouse, *rig, joints_)) branch_.pointer(mouse);
+        return;
+    }
+    if (!has_joints) return pose_.leave();
     // A motion that goes on would take the joint away from under the mouse.
     if (is_playing_ && mouse.pressed && mouse.inside) play(false);
     pose_.pointer(mouse, *rig, joints_);
@@ -259,7 +266,9 @@ void Skeletons::overlay(ImDrawList& list) {
     if (mode_ == Mode::move) move_.overlay(list);
     if (mode_ == Mode::refine) branch_.overlay(list);
     const Rig* rig = shown_rig();
-    if (mode_ == Mode::pose && rig != nullptr && joints_.at.size() == rig->count()) pose_.overlay(list, *rig, joints_);
+    if (rig == nullptr || joints_.at.size() != rig->count()) return;
+    if (mode_ == Mode::refine) joint_.overlay(list, *rig, joints_);
+    if (mode_ == Mode::pose) pose_.overlay(list, *rig, joints_);
 }
 
 void Skeletons::draw_invitation(ImDrawList& list) const {
@@ -327,7 +336,7 @@ bool Skeletons::shortcut(const Chord& chord) {
             return true;
         case GLFW_KEY_ESCAPE: {
             const bool was_drawing = draw_.is_drawing() || editor_.is_acting();
-            draw_.drop(), move_.drop(), pose_.drop();
+            draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
             editor_.cancel();
             if (!was_drawing) editor_.select(0);
             return true;
@@ -341,6 +350,7 @@ std::span<const Workspace::Shortcut> Skeletons::shortcuts() const {
         {"Q, W, E, R", "Draw, move, refine, pose"},
         {"Shift+drag in Draw", "Cut a hole in the part"},
         {"Shift+drag in Move", "Move nearer or farther"},
+        {"Drag in Refine", "Pin a joint elsewhere"},
         {"Shift+drag in Pose", "Twist a bone"},
         {"Double-click in Pose", "Reset a joint"},
         {"Space in Pose", "Play or stop the test motion"},
@@ -354,18 +364,18 @@ std::span<const Workspace::Shortcut> Skeletons::shortcuts() const {
 bool Skeletons::give_up() {
     const bool has_some = draw_.is_drawing() || editor_.is_acting();
     if (!has_some) return false;
-    draw_.drop(), move_.drop(), pose_.drop();
+    draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
     editor_.cancel();
     return true;
 }
 
 void Skeletons::undo() {
-    draw_.drop(), move_.drop(), pose_.drop();
+    draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
     editor_.undo();
 }
 
 void Skeletons::redo() {
-    draw_.drop(), move_.drop(), pose_.drop();
+    draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
     editor_.redo();
 }
 
@@ -401,6 +411,9 @@ double Skeletons::count(const std::string& name) const {
     if (name == "joints") return rig == nullptr ? 0.0 : static_cast<double>(rig->count());
     if (name == "roots") return rig == nullptr ? 0.0 : static_cast<double>(rig->count() - rig->bone_count());
     if (name == "vertices") return editor_.live.skin() ? editor_.live.skin()->view.vertex_count : 0.0;
+    if (name == "pinned")
+        return rig == nullptr ? 0.0 : static_cast<double>(std::count(rig->pinned.begin(), rig->pinned.end(), true));
+    if (name == "joint_edits") return static_cast<double>(drawing.joint_edits.size());
     if (name == "turned") return static_cast<double>(drawing.pose.turns.size());
     if (name == "playing") return is_playing_ ? 1.0 : 0.0;
     if (name == "picture") return layer_.is_shown() ? 1.0 : 0.0;

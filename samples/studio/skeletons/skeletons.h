@@ -5,6 +5,7 @@
 #include "shell/workspace.h"
 #include "skeletons/branch_tool.h"
 #include "skeletons/draw_tool.h"
+#include "skeletons/joint_tool.h"
 #include "skeletons/model_picture.h"
 #include "skeletons/move_tool.h"
 #include "skeletons/picture_layer.h"
@@ -76,6 +77,7 @@ private:
     void draw_panel();
     void move_panel();
     void refine_panel();
+    void joint_panel();
     void pose_panel();
     void name_field();
     void take_name();
@@ -102,6 +104,7 @@ private:
     DrawTool draw_{editor_};
     MoveTool move_{editor_};
     BranchTool branch_{editor_};
+    JointTool joint_{editor_};
     PoseTool pose_{editor_};
     Mode mode_ = Mode::draw;
     Shown shown_;
@@ -118,6 +121,7 @@ private:
     bool is_sliding_ = false;  // a slider of the panel is held
     std::string name_text_;    // being typed
     uint32_t name_of_ = 0;
+    std::string joint_text_, joint_of_;  // the same of a joint, by its key
 
     FlgSkinning skinning_ = FLG_SKINNING_DUAL_QUATERNION;
     bool is_playing_ = false, was_played_ = false;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "shell/widgets.h"
+#include "skeletons/joint_edits.h"
 #include "skeletons/skeletons.h"
 
 namespace flg::studio {
@@ -222,6 +224,60 @@ void Skeletons::refine_panel() {
         editor_.commit();
     }
     if (const auto branch = branch_.branch()) branch_slider(*branch);
+    joint_panel();
+}
+
+void Skeletons::joint_panel() {
+    const Rig* rig = shown_rig();
+    const uint32_t joint = rig != nullptr ? joint_.selected(*rig).value_or(FLG_NO_INDEX) : FLG_NO_INDEX;
+    const std::string key = joint != FLG_NO_INDEX ? key_of(*rig, joint) : std::string();
+    const auto act = [&](const char* name, auto change) {
+        editor_.commit();
+        change(editor_.change(name));
+        editor_.commit();
+    };
+    if (!editor_.drawing().joint_edits.empty() &&
+        ui::row_button("Reset all joints", 1, "Forgets all that was set about joints, merged ones included."))
+        act("joints", [](Drawing& drawing) { drawing.joint_edits.clear(); });
+    // Another one was selected while this was typed.
+    const auto take = [&] {
+        const std::string of = std::exchange(joint_of_, {});
+        if (!of.empty() && joint_text_ != of)
+            act("joint name", [&](Drawing& drawing) { rename_joint(drawing, of, joint_text_); });
+    };
+    if (!joint_of_.empty() && joint_of_ != key) take();
+    if (joint == FLG_NO_INDEX) return;
+    ui::heading("Joint");
+    const std::string& shown = rig->names[joint];
+    const bool is_side = rig->keys[joint] != key;
+    const std::string name = is_side ? shown.substr(0, shown.size() - 2) : shown;
+    std::string text = !joint_of_.empty() ? joint_text_ : name;
+    ui::text("Joint name", &text, "Name of the joint. Mirror images get .L and .R.");
+    if (ui::active()) {
+        joint_of_ = key;
+        joint_text_ = text;
+    } else if (!joint_of_.empty()) {
+        joint_text_ == name ? joint_of_.clear() : take();
+    }
+    const bool is_root = rig->parents[joint] == FLG_NO_INDEX, is_pinned = rig->pinned[joint];
+    if (ui::row_button(is_pinned ? "Unpin" : "Pin", 2,
+                       "A pinned joint stays where it is, whatever the sliders say. Dragging a joint pins it.",
+                       {.pressed = is_pinned}))
+        act("pin", [&](Drawing& drawing) {
+            is_pinned ? unpin_joint(drawing, key) : pin_joint(drawing, key, rig->places[joint]);
+        });
+    ui::same_row();
+    if (ui::row_button("Split", 2, "Adds a joint in the middle of the bone from the joint before.",
+                       {.enabled = !is_root}))
+        act("split", [&](Drawing& drawing) { joint_.select(split_bone(drawing, *rig, key)); });
+    if (ui::row_button("Merge into parent", 2, "Makes the joint one with the joint before.", {.enabled = !is_root}))
+        act("merge", [&](Drawing& drawing) { merge_joint(drawing, key); });
+    ui::same_row();
+    const auto& edits = editor_.drawing().joint_edits;
+    const bool is_set = std::any_of(edits.begin(), edits.end(),
+                                    [&](const JointEdit& edit) { return edit.joint == key || edit.name == key; });
+    if (ui::row_button("Reset joint", 2, "Forgets all that was set about this joint.", {.enabled = is_set}))
+        act("joint", [&](Drawing& drawing) { reset_joint(drawing, key); });
 }
 
 void Skeletons::pose_panel() {

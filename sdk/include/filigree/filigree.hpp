@@ -1174,7 +1174,8 @@ struct SkinView {
     Span<const float> vertex_weights;
     /// one per vertex: the part it lies on
     Span<const uint32_t> vertex_parts;
-    /// 3 per joint, metres, in the model's space
+    /// 3 per joint, metres, in the model's space: the model's, moved with limbs that pass in front of others or behind
+    /// (FlgModelPart::depth)
     Span<const float> joint_positions;
     /// one per joint, lower than its own index; FLG_NO_INDEX: a root
     Span<const uint32_t> joint_parents;
@@ -2194,6 +2195,13 @@ struct ModelDesc : FlgModelDesc {
     }
     /// A list would end before the descriptor is used.
     void set_joint_edits(std::initializer_list<FlgJointEdit>) = delete;
+    /// Sets apart_pairs and apart_pair_count. The array must live until the descriptor is used.
+    void set_apart_pairs(Span<const uint32_t> values) {
+        apart_pairs = values.data();
+        apart_pair_count = detail::count(values.size(), 2);
+    }
+    /// A list would end before the descriptor is used.
+    void set_apart_pairs(std::initializer_list<uint32_t>) = delete;
 };
 
 /// FlgSkinDesc with its defaults.
@@ -4436,10 +4444,10 @@ public:
     }
 
     /// Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds it
-    /// to the joints. Weights are smooth, 0 to 1, at most 4 per vertex, and a part moves with its own bones. Parts that
-    /// meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more than max_vertices, or if a
-    /// part lies further from the origin than 1e7 sides of the triangles that vertex_count asks for. Cost: 15 us a
-    /// vertex.
+    /// to the joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in front or
+    /// behind (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest
+    /// part needs more than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost:
+    /// 15 us a vertex.
     /// Calls flgSkinCreate.
     Result<Skin> skin(const SkinDesc& desc, Job* out_job = nullptr) const {
         FlgSkin out_skin{};

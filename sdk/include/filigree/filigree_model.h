@@ -192,8 +192,9 @@ typedef struct FlgModelPart {
                              scale, translation, optional mirroring. Default: as drawn */
     float thickness;      /* depth of the part relative to the paper's inflation: 0.01 to 100, default 1; a disc
                              becomes a ball */
-    /* Overlapping parts become one piece, and their weights blend: keep legs that should move separately apart. A part
-     * and its mirror image are kept apart where the part's axis is on one side of the mirror. */
+    /* Overlapping parts become one piece, and their weights blend, but for these, which a skin does not weld: limbs
+     * that cross another part away from where they hang, desc.apart_pairs, and a part and its mirror image where the
+     * part's axis is on one side of the mirror. See `depth`. */
     uint32_t mirrored;                   /* nonzero: adds a copy mirrored at desc.mirror; names end with .L and .R,
                                             .L on the side of the plane's normal. Default 0 */
     const FlgBoneThresholds* thresholds; /* null: the model's */
@@ -201,7 +202,11 @@ typedef struct FlgModelPart {
                                             value for all */
     uint32_t parent;                     /* index in desc.parts of the part it attaches to, wherever both are; its own
                                             index: none; FLG_NO_INDEX: found. Default FLG_NO_INDEX */
-    uint32_t reserved;
+    /* Which of two parts passes in front where their skins would cut through each other: that of greater depth, else
+     * the one whose plane is farther in front, else the one drawn later. Front is where the trunk's plane faces; in a
+     * mirror image across it, the back. The skin moves limbs out of their planes, rising from where they hang, by no
+     * more than that takes. Finite, default 0. */
+    float depth;
     const char* parent_joint;            /* key of the parent's joint that it attaches to; null, or not there: the
                                             nearest place. Default null */
 } FlgModelPart;
@@ -242,7 +247,7 @@ typedef struct FlgModelDesc {
     /* A plane a x + b y + c z = d. Its normal may have any length above 0 and points to the model's left (0 0 -1 for a
      * model that looks along +x, y up). A part across the plane is doubled in place. Default 1 0 0 0 */
     float mirror[4];
-    uint32_t reserved;
+    uint32_t apart_pair_count; /* up to 65535. Default 0 */
     double origin[3]; /* metres: what placements and `mirror` are relative to. Default 0 */
     uint32_t root;                   /* the trunk, an index of parts: the hierarchy begins there. FLG_NO_INDEX: the
                                         part of the largest area that is not mirrored. Default FLG_NO_INDEX */
@@ -251,6 +256,9 @@ typedef struct FlgModelDesc {
     const FlgJointEdit* joint_edits; /* applied in order; copied. Default null */
     FlgModel previous;               /* what this model was before its parts changed: joints keep the keys they have in
                                         it, by part and place. Its job may still run. Default null: keys are new */
+    const uint32_t* apart_pairs;     /* 2 per pair: indices of parts that a skin does not weld where they touch, images
+                                        included; twice the same: a part and its mirror image. A part and what it hangs
+                                        on are joined there all the same. Copied. Default null */
 } FlgModelDesc;
 
 FLG_API FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size);
@@ -320,7 +328,8 @@ typedef struct FlgSkinView {
     const uint16_t* vertex_joints;  /* 4 per vertex: joints that move it, largest weight first; unused ones are 0 */
     const float* vertex_weights;    /* 4 per vertex: 0 to 1, with sum 1; unused ones are 0 */
     const uint32_t* vertex_parts;   /* one per vertex: the part it lies on */
-    const float* joint_positions;   /* 3 per joint, metres, in the model's space */
+    const float* joint_positions;   /* 3 per joint, metres, in the model's space: the model's, moved with limbs that
+                                       pass in front of others or behind (FlgModelPart::depth) */
     const uint32_t* joint_parents;  /* one per joint, lower than its own index; FLG_NO_INDEX: a root */
     const char* const* joint_names; /* one per joint, UTF-8, unique; null in input: none */
     double origin[3];               /* metres: what positions are relative to. Default 0 */
@@ -340,9 +349,9 @@ typedef struct FlgSkinDesc {
 FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds it to the
- * joints. Weights are smooth, 0 to 1, at most 4 per vertex, and a part moves with its own bones. Parts that meet no
- * other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more than max_vertices, or if a part lies
- * further from the origin than 1e7 sides of the triangles that vertex_count asks for. Cost: 15 us a vertex. */
+ * joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in front or behind
+ * (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more
+ * than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost: 15 us a vertex. */
 FLG_API FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
 /* The arrays live until the skin is released. FLG_NOT_READY until its job is published, the job's error if it

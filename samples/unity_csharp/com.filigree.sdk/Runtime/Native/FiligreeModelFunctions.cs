@@ -144,10 +144,10 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds
-        /// it to the joints. Weights are smooth, 0 to 1, at most 4 per vertex, and a part moves with its own bones.
-        /// Parts that meet no other stay separate pieces. FlgResult.ErrorLimit if the thinnest part needs more than
-        /// max_vertices, or if a part lies further from the origin than 1e7 sides of the triangles that vertex_count
-        /// asks for. Cost: 15 us a vertex.
+        /// it to the joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in
+        /// front or behind (FlgModelPart::depth). Parts that meet no other stay separate pieces. FlgResult.ErrorLimit
+        /// if the thinnest part needs more than max_vertices, or if a part lies further from the origin than 1e7 sides
+        /// of a triangle. Cost: 15 us a vertex.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinCreate(

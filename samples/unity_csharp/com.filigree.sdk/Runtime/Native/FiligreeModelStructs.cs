@@ -185,7 +185,13 @@ namespace Filigree
         /// Default FLG_NO_INDEX
         /// </summary>
         public uint parent;
-        public uint reserved;
+        /// <summary>
+        /// Which of two parts passes in front where their skins would cut through each other: that of greater depth,
+        /// else the one whose plane is farther in front, else the one drawn later. Front is where the trunk's plane
+        /// faces; in a mirror image across it, the back. The skin moves limbs out of their planes, rising from where
+        /// they hang, by no more than that takes. Finite, default 0.
+        /// </summary>
+        public float depth;
         /// <summary>
         /// key of the parent's joint that it attaches to; null, or not there: the nearest place. Default null
         /// </summary>
@@ -235,7 +241,8 @@ namespace Filigree
         /// for a model that looks along +x, y up). A part across the plane is doubled in place. Default 1 0 0 0
         /// </summary>
         public fixed float mirror[4];
-        public uint reserved;
+        /// <summary>up to 65535. Default 0</summary>
+        public uint apart_pair_count;
         /// <summary>metres: what placements and `mirror` are relative to. Default 0</summary>
         public fixed double origin[3];
         /// <summary>
@@ -254,6 +261,11 @@ namespace Filigree
         /// job may still run. Default null: keys are new
         /// </summary>
         public FlgModel previous;
+        /// <summary>
+        /// 2 per pair: indices of parts that a skin does not weld where they touch, images included; twice the same: a
+        /// part and its mirror image. A part and what it hangs on are joined there all the same. Copied. Default null
+        /// </summary>
+        public uint* apart_pairs;
     }
 
     /// <summary>
@@ -326,7 +338,10 @@ namespace Filigree
         public float* vertex_weights;
         /// <summary>one per vertex: the part it lies on</summary>
         public uint* vertex_parts;
-        /// <summary>3 per joint, metres, in the model's space</summary>
+        /// <summary>
+        /// 3 per joint, metres, in the model's space: the model's, moved with limbs that pass in front of others or
+        /// behind (FlgModelPart::depth)
+        /// </summary>
         public float* joint_positions;
         /// <summary>one per joint, lower than its own index; FLG_NO_INDEX: a root</summary>
         public uint* joint_parents;
