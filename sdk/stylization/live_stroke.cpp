@@ -232,13 +232,15 @@ const FlgCurveSetView& LiveStroke::view_from(uint32_t first) {
 }
 
 const FlgCurveSetView& LiveStroke::tip() {
-    const LiveState& from = seen();
+    // The phase may change meanwhile: it is asked once.
+    const bool ending = phase() == Phase::ending;
+    const LiveState& from = ending ? before_end_ : kernel_.state();
     const uint32_t first = from.points > 0 ? from.points - 1 : 0;
     for (uint32_t k = 0; from.points > 0 && k < columns_.count; ++k) {
         const size_t components = columns_.layout[k].components;
         std::copy_n(columns_.data[k] + first * components, components, tip_columns_.data[k]);
     }
-    tip_kernel_.restore(from, phase() == Phase::ending ? mix_before() : kernel_.mix_state());
+    tip_kernel_.restore(from, ending ? mix_before() : kernel_.mix_state());
     tip_kernel_.write_from(first);
     tip_kernel_.close();
     uint32_t units = tip_units;
