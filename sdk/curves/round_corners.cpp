@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,10 @@ struct Places {
     double length = 0;
 
     // Of a closed curve they go on around.
-    double arc_of(uint32_t k) const { return arc[k % count] + length * (k / count); }
+    double arc_of(uint32_t k) const {
+        const uint32_t laps = k / count;
+        return arc[k % count] + length * laps;
+    }
     Vec3 point(uint32_t k) const { return curve.point(index[k % count]); }
 };
 
@@ -99,7 +103,8 @@ double turn(const Vec3& from, const Vec3& to) {
 // The bend around one place after the other, in one size.
 class Bend {
 public:
-    Bend(const Places& places, double length) : places_(places), length_(length) {}
+    Bend(const Places& places, double angle, double length)
+        : places_(places), angle_(angle), cosine_(std::cos(angle)), length_(length) {}
 
     double length() const { return length_; }
     // As ArcCursor has it. Of a closed curve there is something before its first place: it has been around once.
@@ -111,54 +116,62 @@ public:
         const double before = here - 0.5 * length_, behind = here + 0.5 * length_;
         const double first = std::max(before - side * length_, 0.0), last = std::min(behind + side * length_, end);
         for (size_t q = 0; q <= quarters; ++q) {
-            arcs_[q] = first + (before - first) * (q / double{quarters});
-            arcs_[bend_end + q] = behind + (last - behind) * (q / double{quarters});
+            const double share = static_cast<double>(q) / quarters;
+            arcs_[q] = first + (before - first) * share;
+            arcs_[bend_end + q] = behind + (last - behind) * share;
         }
+        turned_ = 0;
         if (!has_sides()) return true;
-        for (size_t c = 0; c < cursors_.size(); ++c) {
-            if (!cursors_[c].go_to(places_, arcs_[c], units)) return false;
-        }
-        return true;
+        const auto move = [&](std::initializer_list<size_t> cursors) {
+            return std::all_of(cursors.begin(), cursors.end(),
+                               [&](size_t c) { return cursors_[c].go_to(places_, arcs_[c], units); });
+        };
+        if (!move({0, bend_begin, bend_end, sides_end})) return false;
+        // Most places turn less, and need no more.
+        const Vec3 a = point(bend_begin) - point(0), b = point(sides_end) - point(bend_end);
+        if (a.dot(b) > cosine_ * std::sqrt(a.squaredNorm() * b.squaredNorm())) return true;
+        turned_ = turn(a, b);
+        return !turns() || move({1, 2, 3, bend_end + 1, bend_end + 2, bend_end + 3});
     }
-    bool is_corner(double angle) const;
+    bool is_corner() const;
     // How much the halves of the bend turn against each other.
     double sharpness() const {
         const Vec3 middle = places_.point(place_);
-        return turn(middle - cursors_[bend_begin].point(), cursors_[bend_end].point() - middle);
+        return turn(middle - point(bend_begin), point(bend_end) - middle);
     }
 
 private:
     // By quarters of the sides.
     static constexpr size_t quarters = 4, bend_begin = quarters, bend_end = quarters + 1, sides_end = 2 * quarters + 1;
 
+    const Vec3& point(size_t cursor) const { return cursors_[cursor].point(); }
+    bool turns() const { return turned_ > angle_ && turned_ < widest_turn; }
     bool has_sides() const {
         return arcs_[bend_begin] - arcs_[0] >= least_side * length_ &&
                arcs_[sides_end] - arcs_[bend_end] >= least_side * length_;
     }
     // What a side turns by: one half against the other, and its first and last quarter against all of it.
     double side_turn(size_t first) const {
-        const auto at = [&](size_t quarter) -> const Vec3& { return cursors_[first + quarter].point(); };
+        const auto at = [&](size_t quarter) -> const Vec3& { return point(first + quarter); };
         const Vec3 chord = at(4) - at(0);
         return std::max({turn(at(2) - at(0), at(4) - at(2)), turn(at(1) - at(0), chord), turn(chord, at(4) - at(3))});
     }
 
     const Places& places_;
-    double length_;
+    double angle_, cosine_, length_;
     uint32_t place_ = 0;
+    double turned_ = 0;  // from one side's chord to the other's
     std::array<double, sides_end + 1> arcs_{};
     std::array<ArcCursor, sides_end + 1> cursors_;
 };
 
-bool Bend::is_corner(double angle) const {
-    if (!has_sides()) return false;
-    const Vec3 &begin = cursors_[bend_begin].point(), &end = cursors_[bend_end].point();
-    const double turned = turn(begin - cursors_[0].point(), cursors_[sides_end].point() - end);
-    if (!(turned > angle && turned < widest_turn)) return false;
-    if (!(turned > stands_out * std::max(side_turn(0), side_turn(bend_end)))) return false;
+bool Bend::is_corner() const {
+    if (!turns()) return false;
+    if (!(turned_ > stands_out * std::max(side_turn(0), side_turn(bend_end)))) return false;
     for (size_t half : {size_t{0}, size_t{2}, bend_end, bend_end + 2}) {
         if (cursors_[half].next_arc() >= arcs_[half + 2]) return false;
     }
-    return (end - begin).norm() > least_chord * length_ * std::cos(0.5 * turned);
+    return (point(bend_end) - point(bend_begin)).norm() > least_chord * length_ * std::cos(0.5 * turned_);
 }
 
 // Places that are corners, in order.
@@ -208,7 +221,7 @@ private:
 };
 
 // Corners of one size. `known`: those that there are before.
-Task<void> mark_bends(Pace& pace, const Places& places, double angle, Bend bend, std::span<const uint32_t> known,
+Task<void> mark_bends(Pace& pace, const Places& places, Bend bend, std::span<const uint32_t> known,
                       std::span<uint8_t> marks) {
     const bool closed = places.curve.closed;
     Neighbours neighbours(places, known);
@@ -220,7 +233,7 @@ Task<void> mark_bends(Pace& pace, const Places& places, double angle, Bend bend,
     for (uint32_t k = 0; k < places.count || (closed && in_run && k < 2 * places.count); ++k) {
         for (uint32_t units = units_at_once; !bend.go_to(k, units); units = units_at_once) co_await pace;
         neighbours.go_to(places.arc_of(k));
-        if (bend.is_corner(angle)) {
+        if (bend.is_corner()) {
             if (!in_run) {
                 whole_run = k > 0 || !closed;
                 sharpest = 0;
@@ -250,7 +263,7 @@ Task<void> mark_round_corners(Pace& pace, CurveView curve, double angle, double 
         const bool too_small = length * places.count<places.length, too_large = (2 * side + 1) * length> places.length;
         if (too_small || (too_large && curve.closed)) continue;
         co_await list_marks(pace, places, marks, known);
-        co_await mark_bends(pace, places, angle, Bend(places, length), {known.data(), known.size()}, marks);
+        co_await mark_bends(pace, places, Bend(places, angle, length), {known.data(), known.size()}, marks);
     }
 }
 

@@ -21,7 +21,7 @@
 namespace flg {
 
 // Marks points where segments begin at such corners, farther than a bend from those that are marked already. `angle` in
-// radians, `longest` bend in metres. About 0.1 us a point and w, of which there are 8 at most. What is referred to
+// radians, `longest` bend in metres. 0.1 to 0.2 us a point and w, of which there are 8 at most. What is referred to
 // outlives the task.
 Task<void> mark_round_corners(Pace& pace, CurveView curve, double angle, double longest, std::span<uint8_t> marks);
 
