@@ -24,7 +24,7 @@ FlgLiveStrokeDesc default_live_stroke_desc() {
     auto desc = sized<FlgLiveStrokeDesc>();
     desc.start = FLG_STYLE_START_AUTO;
     desc.magnitude = static_cast<float>(settings.magnitude);
-    desc.scale = static_cast<float>(settings.scale);
+    desc.scale = static_cast<float>(settings.styles[0].scale);
     desc.min_radius = 0.001f;
     desc.max_radius = 0.005f;
     desc.max_jump = 1.0f;
@@ -62,31 +62,47 @@ void check(const FlgLiveStrokeDesc& desc) {
                       "take FLG_FRAME_METHOD_ROTATION_MINIMIZING or FLG_FRAME_METHOD_SUPPLIED");
     }
     check_basis(desc.basis);
+    check_further_styles(desc);
 }
 
 StyleDrives read_hand_drives(const FlgLiveStrokeDesc& desc) {
     const StyleDrives drives = read_drives(desc.drives, desc.drive_count);
     for (uint32_t k = 0; k < desc.drive_count; ++k) {
         const FlgAttribute attribute = drives.list()[k].attribute;
-        if (drives.list()[k].driven == FLG_STYLE_DRIVEN_STYLE) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "desc.drives[%u] drives the style, of which a live stroke has one", k);
-        }
         if (attribute == FLG_ATTRIBUTE_PRESSURE || attribute == FLG_ATTRIBUTE_SPEED) continue;
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.drives[%u].attribute is %d, a hand has FLG_ATTRIBUTE_PRESSURE and FLG_ATTRIBUTE_SPEED", k,
                       number_of(attribute));
     }
+    check_style_drive(drives, desc.further_style_count);
     return drives;
 }
 
+// desc.style, then desc.further_styles: visit(style, what it is called).
+template <class Visit>
+void each_style(Context& context, const FlgLiveStrokeDesc& desc, LiveStyleRequests& styles, const Visit& visit) {
+    for (uint32_t k = 0; k <= desc.further_style_count; ++k) {
+        const StyleArgument argument(k);
+        const FlgStyle style = k == 0 ? desc.style : desc.further_styles[k - 1];
+        styles[k].style = context.styles.get(style.id, argument.name);
+        visit(styles[k], argument.name);
+    }
+}
+
+void check_prepared(const Style& style, const char* name) {
+    const FlgResult result = style.visible_result();
+    if (result < 0) throw Failure(result, "%s", style.error());
+    if (result == FLG_NOT_READY) {
+        throw Failure(result, "%s is not prepared yet; tick until its job is done", name);
+    }
+}
+
 // Throws FLG_NOT_READY if a tree is missing.
-std::shared_ptr<PathTrees> warm_trees(Style& style, float temperature, const char* whose) {
+std::shared_ptr<PathTrees> warm_trees(Style& style, const char* name, float temperature, const char* whose) {
     std::shared_ptr<PathTrees> trees = style.trees(style.prepared.temperature(temperature));
     if (all_trees_made(*trees)) return trees;
-    throw Failure(FLG_NOT_READY,
-                  "desc.style is not warm at %s, %s; call flgStyleWarm with it, and tick until its job is done", whose,
-                  NumberText(temperature).c_str());
+    throw Failure(FLG_NOT_READY, "%s is not warm at %s, %s; call flgStyleWarm with it, and tick until its job is done",
+                  name, whose, NumberText(temperature).c_str());
 }
 
 // The columns; what is in them: LiveStroke::push().
@@ -178,18 +194,17 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
         const FlgLiveStrokeDesc read = read_struct(desc, default_live_stroke_desc(), "desc");
         check(read);
         LiveStrokeRequest request;
-        request.style = self.styles.get(read.style.id, "desc.style");
-        const FlgResult result = request.style->visible_result();
-        if (result < 0) return set_last_error(result, request.style->error());
-        if (result == FLG_NOT_READY) {
-            return set_last_error(result, "desc.style is not prepared yet; tick until its job is done");
-        }
+        each_style(self, read, request.styles,
+                   [](const LiveStyleRequest& one, const char* name) { check_prepared(*one.style, name); });
+        request.style_count = read.further_style_count + 1;
         request.drives = read_hand_drives(read);
-        const auto [cold, hot] = request.drives.temperatures(read.temperature);
+        const auto temperatures = request.drives.temperatures(read.temperature);
         const bool driven = request.drives.drive(FLG_STYLE_DRIVEN_TEMPERATURE);
         const char* const whose = driven ? "a temperature of desc.drives" : "desc.temperature";
-        request.trees = warm_trees(*request.style, cold, whose);
-        request.hot_trees = warm_trees(*request.style, hot, whose);
+        each_style(self, read, request.styles, [&](LiveStyleRequest& one, const char* name) {
+            one.trees = warm_trees(*one.style, name, temperatures[0], whose);
+            one.hot_trees = warm_trees(*one.style, name, temperatures[1], whose);
+        });
         request.desc = read;
         request.origin = read_origin(read.origin, "desc.origin");
         *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(memory, request, memory))};
@@ -369,9 +384,10 @@ FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc,
         LiveReplayRequest request;
         request.desc = read;
         request.drives = read_hand_drives(read);
-        request.style = self.styles.get(read.style.id, "desc.style");
+        request.style_count = read.further_style_count + 1;
+        each_style(self, read, request.styles,
+                   [&](const LiveStyleRequest& one, const char* name) { submission.read(*one.style, name); });
         request.samples = self.curve_sets.get(samples.id, "samples");
-        submission.read(*request.style, "desc.style");
         submission.read(*request.samples, "samples");
         request.out = make_object<CurveSet>(memory, memory);
         request.out->origin = request.samples->origin;

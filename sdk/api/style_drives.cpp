@@ -72,4 +72,18 @@ StyleDrives read_drives(const FlgStyleDrive* drives, uint32_t count) {
     return StyleDrives({drives, count});
 }
 
+void check_style_drive(const StyleDrives& drives, uint32_t further_style_count) {
+    if (drives.drive(FLG_STYLE_DRIVEN_STYLE) == (further_style_count > 0)) return;
+    throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.further_style_count is %u, but %s of desc.drives drives the style",
+                  further_style_count, further_style_count > 0 ? "none" : "one");
+}
+
+StyleArgument::StyleArgument(uint32_t k) {
+    if (k == 0) {
+        std::snprintf(name, sizeof name, "desc.style");
+    } else {
+        std::snprintf(name, sizeof name, "desc.further_styles[%u]", k - 1);
+    }
+}
+
 }  // namespace flg

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <cstdio>
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
@@ -46,11 +45,7 @@ void check(const FlgCurveSetStylizeDesc& desc) {
                       "desc.exact_spacing is set, and desc.fit is %g: exact steps do not fit motifs to a length",
                       static_cast<double>(desc.fit));
     }
-    check_range(desc.further_style_count < styles_max, "desc.further_style_count", desc.further_style_count,
-                "at most 7");
-    if (desc.further_style_count > 0) require(desc.further_styles, "desc.further_styles");
-    check_range(desc.style_blend >= 0 && std::isfinite(desc.style_blend), "desc.style_blend", desc.style_blend,
-                "finite and at least 0");
+    check_further_styles(desc);
     if (desc.smooth_junctions != 0 && desc.pin_ends == 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.smooth_junctions is set, but desc.pin_ends is not: results do not meet in junctions");
@@ -69,10 +64,9 @@ void check(const FlgCurveSetStylizeDesc& desc) {
 void read_further_styles(Context& context, Submission& submission, StylizeRequest& request) {
     const FlgCurveSetStylizeDesc& desc = request.desc;
     for (uint32_t k = 0; k < desc.further_style_count; ++k) {
-        char argument[48];
-        std::snprintf(argument, sizeof argument, "desc.further_styles[%u]", k);
-        request.further_styles[k] = context.styles.get(desc.further_styles[k].id, argument);
-        submission.read(*request.further_styles[k], argument);
+        const StyleArgument argument(k + 1);
+        request.further_styles[k] = context.styles.get(desc.further_styles[k].id, argument.name);
+        submission.read(*request.further_styles[k], argument.name);
     }
     request.further_style_count = desc.further_style_count;
 }
@@ -96,11 +90,7 @@ FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* d
         const FlgCurveSetStylizeDesc read = read_struct(desc, default_stylize_desc(), "desc");
         check(read);
         const StyleDrives drives = read_drives(read.drives, read.drive_count);
-        if (drives.drive(FLG_STYLE_DRIVEN_STYLE) != (read.further_style_count > 0)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "desc.further_style_count is %u, but %s of desc.drives drives the style",
-                          read.further_style_count, read.further_style_count > 0 ? "none" : "one");
-        }
+        check_style_drive(drives, read.further_style_count);
         Submission submission(self, read.job);
         const auto style = self.styles.get(read.style.id, "desc.style");
         const auto target = self.curve_sets.get(read.target.id, "desc.target");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "curves/round_corners.h"
 #include "curves/step_scale.h"
 #include "runtime/each.h"
 
@@ -112,10 +113,14 @@ Task<void> each_corner(Pace& pace, CurveView curve, double corner_angle, Visit v
 
 }  // namespace
 
-Task<CornerCount> count_corners(Pace& pace, CurveView curve, double corner_angle) {
+Task<CornerCount> find_corners(Pace& pace, CurveView curve, CornerSearch search, std::span<uint8_t> marks) {
+    co_await each(pace, marks.size(), Cost::some_ns, [&](uint32_t i) { marks[i] = 0; });
+    co_await each_corner(pace, curve, search.angle, [&](uint32_t segment) { marks[segment] = 1; });
+    if (search.longest_bend > 0) co_await mark_round_corners(pace, curve, search.angle, search.longest_bend, marks);
     CornerCount count;
-    co_await each_corner(pace, curve, corner_angle, [&](uint32_t segment) {
-        if (count.corners++ == 0) count.first_segment = segment;
+    co_await each(pace, marks.size(), Cost::some_ns, [&](uint32_t i) {
+        if (marks[i] == 0) return;
+        if (count.corners++ == 0) count.first_segment = i;
     });
     co_return count;
 }
@@ -158,13 +163,7 @@ Task<std::shared_ptr<const CurveSet>> begin_at_corners(Pace& pace, std::shared_p
     co_return out;
 }
 
-Task<void> split_at_corners(Pace& pace, CurveView curve, const float* scales, double corner_angle,
-                            std::span<CurvePiece> pieces) {
-    // A closed curve begins at a corner, an open one at its end.
-    size_t corners = curve.closed ? 0 : 1;
-    co_await each_corner(pace, curve, corner_angle, [&](uint32_t segment) {
-        if (corners < pieces.size()) pieces[corners++].first_segment = segment;
-    });
+Task<void> split_at_corners(Pace& pace, CurveView curve, const float* scales, std::span<CurvePiece> pieces) {
     size_t piece = 0;
     bool begun = false;
     Slice slice(Cost::tens_of_ns);
@@ -173,7 +172,7 @@ Task<void> split_at_corners(Pace& pace, CurveView curve, const float* scales, do
         const SegmentBlock& block = stream.block();
         for (uint32_t j = range.first; j < range.last; ++j) {
             const uint32_t index = stream.index_of(j);
-            const bool corner = begun && piece + 1 < corners && index == pieces[piece + 1].first_segment;
+            const bool corner = begun && piece + 1 < pieces.size() && index == pieces[piece + 1].first_segment;
             piece += corner ? 1 : 0;
             CurvePiece& at = pieces[piece];
             if (!begun || corner) {

@@ -216,12 +216,3 @@ void find_normals(SampleBlock& block) {
         }
     }
 }
-
-void pack(const float* __restrict x, const float* __restrict y, const float* __restrict z, uint32_t count,
-          float* __restrict out) {
-    for (uint32_t k = 0; k < count; ++k) {
-        out[3 * k] = x[k];
-        out[3 * k + 1] = y[k];
-        out[3 * k + 2] = z[k];
-    }
-}

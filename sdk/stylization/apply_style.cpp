@@ -22,6 +22,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t synthesis_chunk = 400;  // units, about 10 us
+constexpr double size_per_rms = 1.5;       // of waves: their height
 
 // Of all curves; where each has its own, what that is a factor on.
 double common_scale(const FlgCurveSetStylizeDesc& desc) {
@@ -273,8 +274,7 @@ Task<void> stylize(Pace& pace, const StylizeRequest& request, Application& appli
     application.corner_fit = {&prepared.graph, fit, motifs_by_corner, desc.corner_caps != 0};
     if (prepared.graph.caps() > 0 || fit > 0) co_await fit_strokes(pace, prepared.graph, fit, application);
     if (!application.pieces.empty()) {
-        co_await measure_pieces(pace, *request.target, application.sampling.step_scales, desc.corner_angle,
-                                application.pieces);
+        co_await measure_pieces(pace, *request.target, application.sampling.step_scales, application.pieces);
         co_await fit_corners(pace, application);
     }
     co_await lay_out_sampling(pace, application.sampling, style_columns(request, pace.memory()));
@@ -299,7 +299,6 @@ Task<void> stylize(Pace& pace, const StylizeRequest& request, Application& appli
                          .hot_trees = request.drives.drive(FLG_STYLE_DRIVEN_TEMPERATURE) ? hot_trees.get() : nullptr,
                          .steered = !application.steering.points.empty()};
     if (!application.pieces.empty()) {
-        constexpr double size_per_rms = 1.5;  // of waves: their height
         const double driven = largest_driven * request.drives.largest(FLG_STYLE_DRIVEN_MAGNITUDE);
         const double scaled = scaled_basis(scale, basis).norm() / std::sqrt(3.0);
         const double applied = std::abs(double{desc.magnitude}) * scaled * driven;
@@ -309,8 +308,25 @@ Task<void> stylize(Pace& pace, const StylizeRequest& request, Application& appli
     co_await fork(pace, batch_count(*request.target) * desc.strokes, &stylize_batch, application);
 }
 
+// None if corners are gone through. A bend is a corner to the style within a patch, since it compares no less, and as
+// a quarter turn that is as narrow as the style is high, which would fold on its inside.
+Task<TargetPieces> find_pieces_of(Pace& pace, const StylizeRequest& request, std::shared_ptr<const CurveSet>& target) {
+    if (request.desc.corners == FLG_STYLE_CORNERS_THROUGH) co_return TargetPieces();
+    constexpr double quarter_turn = 1.5707963267948966;
+    const PreparedStyle& style = request.style->prepared;
+    const double patch = (2.0 * style.graph.patch + 1) * style.spacing();
+    const double fold = quarter_turn * size_per_rms * style.displacement_rms;
+    TargetCorners corners{request.desc.corner_angle, std::max(patch, fold) * common_scale(request.desc)};
+    ChosenScales chosen;
+    if (request.desc.scale == 0) {
+        chosen = co_await choose_scales(pace, style, *target);
+        corners.scales = {chosen.scale.data(), chosen.scale.size()};
+    }
+    co_return co_await find_pieces(pace, target, corners);
+}
+
 // Each style by itself, then all of them mixed.
-Task<void> stylize_mixed(Pace& pace, const StylizeRequest& request, TargetPieces pieces) {
+Task<void> stylize_mixed(Pace& pace, const StylizeRequest& request, const TargetPieces& pieces) {
     const uint32_t count = request.further_style_count + 1;
     const auto style = [&](uint32_t i) { return i == 0 ? request.style : request.further_styles[i - 1]; };
     for (uint32_t i = 1; i < count; ++i) {
@@ -331,9 +347,7 @@ Task<void> stylize_mixed(Pace& pace, const StylizeRequest& request, TargetPieces
         one.drives = request.drives.without(FLG_STYLE_DRIVEN_STYLE);
         one.out = std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<>(pace.memory()), pace.memory());
         Application& application = applications[i].emplace(one, pace.memory());
-        const bool has_corners = request.desc.corners != FLG_STYLE_CORNERS_THROUGH;
-        if (i > 0 && has_corners) pieces = co_await find_pieces(pace, one.target, request.desc.corner_angle);
-        application.pieces = std::exchange(pieces, TargetPieces());
+        application.pieces = co_await copy_pieces(pace, pieces);
         co_await stylize(pace, one, application);
         mix.styles[i] = {&one.style->prepared, one.out.get(), &application.sampling};
     }
@@ -347,12 +361,9 @@ Task<void> stylize_mixed(Pace& pace, const StylizeRequest& request, TargetPieces
 }  // namespace
 
 Task<void> apply_style(Pace& pace, StylizeRequest request) {
-    TargetPieces pieces;
-    if (request.desc.corners != FLG_STYLE_CORNERS_THROUGH) {
-        pieces = co_await find_pieces(pace, request.target, request.desc.corner_angle);
-    }
+    TargetPieces pieces = co_await find_pieces_of(pace, request, request.target);
     if (request.further_style_count > 0) {
-        co_await stylize_mixed(pace, request, std::move(pieces));
+        co_await stylize_mixed(pace, request, pieces);
         co_return;
     }
     Application application(request, pace.memory());

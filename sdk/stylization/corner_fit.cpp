@@ -15,28 +15,38 @@ constexpr double steps_max = 0x1.0p31;
 
 struct Search {
     const CurveSet& target;
-    double corner_angle;
-    const float* scales;
-    std::span<CornerCount> counts;
-    TargetPieces* pieces;
+    TargetCorners corners;
+    Buffer<CornerCount> counts;
+    Buffer<uint8_t> marks;  // one a point of the target
 };
 
-Task<void> count_batch(Pace& pace, Search& search, uint32_t batch) {
+Task<void> search_batch(Pace& pace, Search& search, uint32_t batch) {
     const CurveRange range = curves_of_batch(search.target, batch);
     for (uint32_t c = range.first; c < range.last; ++c) {
-        const CornerCount count = co_await count_corners(pace, curve_view(search.target, c), search.corner_angle);
+        const CurveView curve = curve_view(search.target, c);
+        const TargetCorners& corners = search.corners;
+        const double bend = corners.bend * (corners.scales.empty() ? 1.0 : double{corners.scales[c]});
+        const std::span<uint8_t> marks(&search.marks[search.target.offsets()[c]], curve.count);
+        const CornerCount count = co_await find_corners(pace, curve, {corners.angle_rad, bend}, marks);
         std::construct_at(&search.counts[c], count);
         co_await pace;
     }
 }
 
-Task<void> split_batch(Pace& pace, Search& search, uint32_t batch) {
-    const CurveRange range = curves_of_batch(search.target, batch);
+struct Measuring {
+    const CurveSet& target;
+    const float* scales;
+    TargetPieces& pieces;
+};
+
+Task<void> split_batch(Pace& pace, Measuring& measuring, uint32_t batch) {
+    const CurveSet& target = measuring.target;
+    const CurveRange range = curves_of_batch(target, batch);
     for (uint32_t c = range.first; c < range.last; ++c) {
-        const std::span<CurvePiece> pieces = search.pieces->of(c);
+        const std::span<CurvePiece> pieces = measuring.pieces.of(c);
         if (pieces.empty()) continue;
-        const float* scales = search.scales ? search.scales + search.target.offsets()[c] : nullptr;
-        co_await split_at_corners(pace, curve_view(search.target, c), scales, search.corner_angle, pieces);
+        const float* scales = measuring.scales ? measuring.scales + target.offsets()[c] : nullptr;
+        co_await split_at_corners(pace, curve_view(target, c), scales, pieces);
         co_await pace;
     }
 }
@@ -47,31 +57,57 @@ uint32_t whole_steps(double steps) {
 
 }  // namespace
 
-Task<TargetPieces> find_pieces(Pace& pace, std::shared_ptr<const CurveSet>& target, double corner_angle_rad) {
+Task<TargetPieces> find_pieces(Pace& pace, std::shared_ptr<const CurveSet>& target, TargetCorners corners) {
     pace.stage("corners");
     const uint32_t curves = target->curve_count();
-    Buffer<CornerCount> counts(curves, pace.memory());
-    Search search{*target, corner_angle_rad, nullptr, {counts.data(), counts.size()}, nullptr};
-    co_await fork(pace, batch_count(*target), &count_batch, search);
-    target = co_await begin_at_corners(pace, std::move(target), {counts.data(), counts.size()});
+    Search search{*target, corners, Buffer<CornerCount>(curves, pace.memory()),
+                  Buffer<uint8_t>(target->point_count(), pace.memory())};
+    co_await fork(pace, batch_count(*target), &search_batch, search);
+    const Buffer<CornerCount>& counts = search.counts;
     TargetPieces found;
     found.offsets = Buffer<uint32_t>(curves + size_t{1}, pace.memory());
     uint32_t count = 0;
     co_await each(pace, curves, Cost::some_ns, [&](uint32_t c) {
         found.offsets[c] = count;
-        const uint32_t corners = counts[c].corners;
-        count += corners > 0 && !target->closed(c) ? corners + 1 : corners;
+        const uint32_t of_curve = counts[c].corners;
+        count += of_curve > 0 && !target->closed(c) ? of_curve + 1 : of_curve;
     });
     found.offsets[curves] = count;
     found.pieces = Buffer<CurvePiece>(count, pace.memory());
     co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) { std::construct_at(&found.pieces[i]); });
+    // A closed curve begins at a corner, an open one at its end.
+    Slice slice(Cost::some_ns);
+    for (uint32_t c = 0; c < curves; ++c) {
+        const std::span<CurvePiece> pieces = found.of(c);
+        if (pieces.empty()) continue;
+        const bool closed = target->closed(c);
+        size_t piece = closed ? 0 : 1;
+        const uint32_t begin = target->offsets()[c], points = target->offsets()[c + 1] - begin;
+        const uint32_t first = closed ? counts[c].first_segment : 0;
+        for (Portion part(slice, 0, points); part.next();) {
+            for (uint32_t i = part.begin; i < part.end; ++i) {
+                if (search.marks[begin + i] != 0) pieces[piece++].first_segment = i - first;
+            }
+            if (part.is_over()) co_await pace;
+        }
+    }
+    target = co_await begin_at_corners(pace, std::move(target), {counts.data(), counts.size()});
     co_return found;
 }
 
-Task<void> measure_pieces(Pace& pace, const CurveSet& target, const float* step_scales, double corner_angle_rad,
-                          TargetPieces& pieces) {
-    Search search{target, corner_angle_rad, step_scales, {}, &pieces};
-    co_await fork(pace, batch_count(target), &split_batch, search);
+Task<TargetPieces> copy_pieces(Pace& pace, const TargetPieces& pieces) {
+    TargetPieces copy;
+    copy.offsets = Buffer<uint32_t>(pieces.offsets.size(), pace.memory());
+    copy.pieces = Buffer<CurvePiece>(pieces.pieces.size(), pace.memory());
+    co_await each(pace, copy.offsets.size(), Cost::some_ns, [&](uint32_t c) { copy.offsets[c] = pieces.offsets[c]; });
+    co_await each(pace, copy.pieces.size(), Cost::tens_of_ns,
+                  [&](uint32_t i) { std::construct_at(&copy.pieces[i], pieces.pieces[i]); });
+    co_return copy;
+}
+
+Task<void> measure_pieces(Pace& pace, const CurveSet& target, const float* step_scales, TargetPieces& pieces) {
+    Measuring measuring{target, step_scales, pieces};
+    co_await fork(pace, batch_count(target), &split_batch, measuring);
 }
 
 Task<void> fit_pieces(Pace& pace, CornerFit fit, double spacing, std::span<CurvePiece> pieces, std::span<float> across,

@@ -29,11 +29,18 @@ struct TargetPieces {
     }
 };
 
+// What corners of a target are.
+struct TargetCorners {
+    double angle_rad = 0;
+    double bend = 0;                  // metres: how far they are drawn round at most
+    std::span<const float> scales{};  // factors on that, one a curve; none: 1
+};
 // Stage "corners": turns closed targets to their first corner. Curves without corners have no pieces.
-Task<TargetPieces> find_pieces(Pace& pace, std::shared_ptr<const CurveSet>& target, double corner_angle_rad);
+Task<TargetPieces> find_pieces(Pace& pace, std::shared_ptr<const CurveSet>& target, TargetCorners corners);
+// As found.
+Task<TargetPieces> copy_pieces(Pace& pace, const TargetPieces& pieces);
 // Once the step scales are known, null if there are none: what find_pieces() has laid out.
-Task<void> measure_pieces(Pace& pace, const CurveSet& target, const float* step_scales, double corner_angle_rad,
-                          TargetPieces& pieces);
+Task<void> measure_pieces(Pace& pace, const CurveSet& target, const float* step_scales, TargetPieces& pieces);
 
 struct CornerFit {
     const PatchGraph* graph = nullptr;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "stylization/live_jobs.h"
 
+#include <array>
 #include <cinttypes>
 #include <cstring>
+#include <span>
 
 #include "core/failure.h"
 #include "runtime/each.h"
@@ -55,16 +57,37 @@ Task<void> copy(Pace& pace, const float* from, float* to, size_t count) {
     }
 }
 
-// The style as it is applied; nothing if strokes have no end cap.
-Task<Buffer<Vec3>> fit_displacement(Pace& pace, const LiveSettings& settings) {
-    Buffer<Vec3> displacement;
-    if (!settings.end_cap || settings.style->graph.end_cap == 0) co_return displacement;
-    const Eigen::Matrix3d basis = scaled_basis(settings.scale, settings.basis);
-    displacement = Buffer<Vec3>(settings.style->point_count(), pace.memory());
-    co_await each(pace, displacement.size(), Cost::tens_of_ns, [&](uint32_t node) {
-        std::construct_at(&displacement[node], fitted(basis, settings.style->displacement, node));
-    });
-    co_return displacement;
+// What strokes with end caps are led home by: the styles as they are applied.
+struct CappedStyles {
+    std::array<Buffer<Vec3>, styles_max> displacements;
+    bool any = false;  // has an end cap, and it is wanted
+
+    // Of a stroke with so many points.
+    void tell(LiveSettings& settings, uint32_t points) const {
+        for (uint32_t i = 0; any && i < settings.style_count; ++i) {
+            if (displacements[i].empty()) continue;
+            LiveStyle& style = settings.styles[i];
+            const double samples = (points - 1) * (settings.spacing() / style.spacing());
+            style.point_count = static_cast<uint32_t>(samples) + 1;
+            style.displacement = {displacements[i].data(), displacements[i].size()};
+        }
+    }
+};
+
+Task<CappedStyles> fit_caps(Pace& pace, const LiveSettings& settings) {
+    CappedStyles capped;
+    for (uint32_t i = 0; settings.end_cap && i < settings.style_count; ++i) {
+        const LiveStyle& style = settings.styles[i];
+        if (style.style->graph.end_cap == 0) continue;
+        capped.any = true;
+        const Eigen::Matrix3d basis = scaled_basis(style.scale, settings.basis);
+        Buffer<Vec3>& displacement = capped.displacements[i];
+        displacement = Buffer<Vec3>(style.style->point_count(), pace.memory());
+        co_await each(pace, displacement.size(), Cost::tens_of_ns, [&](uint32_t node) {
+            std::construct_at(&displacement[node], fitted(basis, style.style->displacement, node));
+        });
+    }
+    co_return capped;
 }
 
 // A set of one open curve.
@@ -86,18 +109,22 @@ Task<void> copy_points(Pace& pace, const LiveStroke& stroke, uint32_t first, uin
     out.complete_curve(0);
 }
 
-// The whole stroke once more, `points` long, with the style's end cap.
-Task<void> draw_capped(Pace& pace, const LiveStroke& stroke, uint32_t points, std::span<const Vec3> displacement,
-                       CurveSet& out) {
+// All of a closed kernel's samples.
+Task<void> draw(Pace& pace, LiveKernel& kernel, uint32_t samples) {
+    for (uint32_t units = point_chunk; !kernel.run(samples, units); units = point_chunk) co_await pace;
+}
+
+// The whole stroke once more, `points` long, with end caps.
+Task<void> draw_capped(Pace& pace, const LiveStroke& stroke, uint32_t points, const CappedStyles& caps, CurveSet& out) {
     LiveColumns columns = stroke.columns();
     lay_out(out, points, {columns.layout.begin(), columns.layout.begin() + columns.count, pace.memory()});
     for (uint32_t k = 0; k < columns.count; ++k) columns.data[k] = out.columns()[k].values.data();
     LiveSettings settings = stroke.settings();
-    settings.point_count = points;
-    settings.displacement = displacement;
-    LiveKernel kernel(settings, stroke.samples(), columns);
+    caps.tell(settings, points);
+    LiveMixStates mix(settings.style_count, 1, pace.memory());
+    LiveKernel kernel(settings, stroke.samples(), columns, mix[0]);
     kernel.close();
-    for (uint32_t units = point_chunk; !kernel.run(stroke.sample_count(), units); units = point_chunk) co_await pace;
+    co_await draw(pace, kernel, stroke.sample_count());
     out.complete_curve(0);
 }
 
@@ -122,7 +149,7 @@ struct Replay {
     const LiveReplayRequest& request;
     LiveSettings settings;
     LiveColumns columns;
-    Buffer<Vec3> displacement{};  // if strokes have end caps
+    CappedStyles caps{};
 };
 
 LiveSamples samples_of_curve(const CurveSet& set, uint32_t curve) {
@@ -173,7 +200,7 @@ Task<void> measure_curve(Pace& pace, Replay& replay, uint32_t curve) {
     none.data = {};
     LiveKernel kernel(settings_of_curve(replay, curve), samples, none);
     kernel.close();
-    for (uint32_t units = point_chunk; !kernel.run(count, units); units = point_chunk) co_await pace;
+    co_await draw(pace, kernel, count);
     if (kernel.state().cut) {
         throw Failure(FLG_ERROR_LIMIT, "curve %u comes to more than max_points, %u", curve, replay.settings.max_points);
     }
@@ -187,14 +214,11 @@ Task<void> draw_curve(Pace& pace, Replay& replay, uint32_t curve) {
         columns.data[k] = out.columns()[k].values.data() + size_t{out.offsets()[curve]} * columns.layout[k].components;
     }
     LiveSettings settings = settings_of_curve(replay, curve);
-    if (!replay.displacement.empty()) {
-        settings.point_count = out.offsets()[curve + 1] - out.offsets()[curve];
-        settings.displacement = {replay.displacement.data(), replay.displacement.size()};
-    }
-    LiveKernel kernel(settings, samples_of_curve(*replay.request.samples, curve), columns);
+    replay.caps.tell(settings, out.offsets()[curve + 1] - out.offsets()[curve]);
+    LiveMixStates mix(settings.style_count, 1, pace.memory());
+    LiveKernel kernel(settings, samples_of_curve(*replay.request.samples, curve), columns, mix[0]);
     kernel.close();
-    const uint32_t count = sample_count_of(*replay.request.samples, curve);
-    for (uint32_t units = point_chunk; !kernel.run(count, units); units = point_chunk) co_await pace;
+    co_await draw(pace, kernel, sample_count_of(*replay.request.samples, curve));
     out.complete_curve(curve);
     pace.advance(1);
 }
@@ -221,15 +245,14 @@ void LiveEnding::warn(const Host& host) const noexcept {
 Task<void> end_stroke(Pace& pace, LiveEnding& ending) {
     LiveStroke& stroke = *ending.stroke;
     pace.stage("live_stroke");
-    LiveKernel& kernel = stroke.kernel();
-    for (uint32_t units = point_chunk; !kernel.run(stroke.sample_count(), units); units = point_chunk) co_await pace;
+    co_await draw(pace, stroke.kernel(), stroke.sample_count());
     pace.stage("copy");
-    const uint32_t points = kernel.state().points;
-    const Buffer<Vec3> displacement = co_await fit_displacement(pace, stroke.settings());
-    if (ending.stylized && displacement.empty()) {
+    const uint32_t points = stroke.kernel().state().points;
+    const CappedStyles caps = co_await fit_caps(pace, stroke.settings());
+    if (ending.stylized && !caps.any) {
         co_await copy_points(pace, stroke, 0, points, *ending.stylized);
     } else if (ending.stylized) {
-        co_await draw_capped(pace, stroke, points, {displacement.data(), displacement.size()}, *ending.stylized);
+        co_await draw_capped(pace, stroke, points, caps, *ending.stylized);
     }
     if (ending.samples) co_await copy_samples(pace, stroke, *ending.samples);
 }
@@ -250,13 +273,14 @@ Task<void> split_stroke(Pace& pace, LiveSplit& split) {
 
 Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
     const auto temperatures = request.drives.temperatures(request.desc.temperature);
-    const std::shared_ptr<PathTrees> trees = co_await warm_trees(pace, *request.style, temperatures[0]);
-    const std::shared_ptr<PathTrees> hot_trees = co_await warm_trees(pace, *request.style, temperatures[1]);
-    const PreparedStyle& style = request.style->prepared;
-    Replay replay{request, live_settings(request.desc, style, request.drives), live_columns(style)};
-    replay.settings.trees = trees.get();
-    replay.settings.hot_trees = hot_trees.get();
-    replay.displacement = co_await fit_displacement(pace, replay.settings);
+    const std::span<LiveStyleRequest> styles(request.styles.data(), request.style_count);
+    for (LiveStyleRequest& style : styles) {
+        style.trees = co_await warm_trees(pace, *style.style, temperatures[0]);
+        style.hot_trees = co_await warm_trees(pace, *style.style, temperatures[1]);
+    }
+    Replay replay{request, live_settings(request.desc, styles, request.drives),
+                  live_columns(styles[0].style->prepared)};
+    replay.caps = co_await fit_caps(pace, replay.settings);
 
     pace.stage("check");
     CurveSet& out = *request.out;

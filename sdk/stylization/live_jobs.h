@@ -35,10 +35,11 @@ struct LiveSplit final : Output {
 Task<void> split_stroke(Pace& pace, LiveSplit& split);
 
 struct LiveReplayRequest {
-    std::shared_ptr<Style> style;
+    LiveStyleRequests styles{};  // their trees are found by the job
+    uint32_t style_count = 1;
     std::shared_ptr<const CurveSet> samples;
     std::shared_ptr<CurveSet> out;
-    FlgLiveStrokeDesc desc;  // checked; its style is resolved above; curve c is drawn with seed + c
+    FlgLiveStrokeDesc desc;  // checked; its styles are resolved above; curve c is drawn with seed + c
     StyleDrives drives{};    // its drives
 };
 // Stages "path_trees", "check", "live_stroke".

@@ -131,12 +131,6 @@ namespace {
 constexpr double place_share = 1e-3;    // of a step: places nearer than this are one
 constexpr double parallel_sine = 1e-4;  // as FramedSampler has it
 
-double mean_radius(const Buffer<float>& values) {
-    double sum = 0;
-    for (float value : values) sum += value;
-    return sum > 0 ? sum / static_cast<double>(values.size()) : 1.0;
-}
-
 }  // namespace
 
 bool all_trees_made(const PathTrees& trees) {
@@ -163,14 +157,15 @@ LiveColumns live_columns(const PreparedStyle& style) {
     return columns;
 }
 
-LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples, const LiveColumns& out)
+LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples, const LiveColumns& out,
+                       const LiveMixState& mix)
     : settings_(settings),
       samples_(samples),
       out_(out),
-      basis_(scaled_basis(settings.scale, settings.basis)),
+      follower_(settings, settings.styles[0]),
+      mix_(settings, mix),
       step_(settings.spacing()) {
-    for (const StyleAttribute& attribute : settings.style->attributes) {
-        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_unit_ = mean_radius(attribute.values);
+    for (const StyleAttribute& attribute : follower_.style().attributes) {
         if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) turns_ = true;
     }
     for (uint32_t k = live_own_columns; k < out.count; ++k) {
@@ -181,8 +176,9 @@ LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples,
     displaced_.set_magnitude(settings.magnitude);
 }
 
-void LiveKernel::restore(const LiveState& state) {
+void LiveKernel::restore(const LiveState& state, const LiveMixState& mix) {
     state_ = state;
+    mix_.state().copy(mix);
     if (state_.in_segment) take_segment();
 }
 
@@ -196,17 +192,30 @@ bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
                 return false;
             }
             units -= sample_units;
-            if (state_.curve.read(samples_, state_.samples++, state_.segment)) take_segment();
+            if (state_.curve.read(samples_, state_.samples++, state_.segment)) begin_segment();
         } else if (!state_.closing) {
             return true;
         } else if (state_.curve.finish(state_.segment)) {
-            take_segment();
+            begin_segment();
         } else {
             if (state_.points == 0 && state_.curve.has_place()) make_lone_point();
             return true;
         }
     }
     return true;
+}
+
+void LiveKernel::begin_segment() {
+    take_segment();
+    if (!only_counts()) choose(state_.segment.reading_start, state_.segment.reading_end, block_.lengths[0]);
+}
+
+void LiveKernel::choose(const HandReading& start, const HandReading& end, double length) {
+    if (mix_.empty()) return;
+    const auto style = [&](const HandReading& reading) {
+        return settings_.drives.style([&](uint32_t k) { return reading.of(settings_.drives.list()[k].attribute); });
+    };
+    mix_.read(style(start), style(end), length);
 }
 
 void LiveKernel::take_segment() {
@@ -218,10 +227,7 @@ void LiveKernel::take_segment() {
 }
 
 Steered steered_by(const StyleDrives& drives, const HandReading& reading) {
-    return drives.steer([&](uint32_t k) {
-        const bool by_pressure = drives.list()[k].attribute == FLG_ATTRIBUTE_PRESSURE;
-        return by_pressure ? reading.pressure : reading.speed;
-    });
+    return drives.steer([&](uint32_t k) { return reading.of(drives.list()[k].attribute); });
 }
 
 // False if it wasn't followed to its end.
@@ -260,36 +266,6 @@ bool LiveKernel::follow_segment(uint32_t& units) {
     return true;
 }
 
-void LiveKernel::begin_walk() {
-    const bool has_end = settings_.point_count > 1;
-    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0,
-                            has_end ? settings_.point_count : StyleWalk::endless);
-    state_.walk.heat(settings_.hot_trees);
-    state_.walk.begin_with_cap();
-    if (has_end) state_.walk.end_with_cap();
-    state_.blend =
-        SeamBlend(settings_.style->graph.patch, fitted_bend(basis_, *settings_.style), settings_.style->attributes);
-}
-
-void LiveKernel::advance_walk(uint32_t point, const Steered& steered) {
-    const uint32_t from = state_.walk.node();
-    if (settings_.point_count > 0) [[unlikely]]
-        lead_home();
-    const bool hot = steered.is_hot(settings_.seed, 0, point);
-    if (!state_.walk.advance(hot)) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
-    state_.blend.step(from, state_.walk.node(), [this](uint32_t node) { return displacement_of(node); });
-}
-
-// Kept out of what strokes run through while they are drawn.
-[[gnu::noinline]] void LiveKernel::lead_home() {
-    if (!state_.walk.turns_home()) return;
-    state_.walk.go_home(settings_.point_count - 1, settings_.displacement, state_.blend);
-}
-
-Vec3 LiveKernel::displacement_of(uint32_t node) const {
-    return fitted(basis_, settings_.style->displacement, node);
-}
-
 // As FramedSampler has it.
 void LiveKernel::take_supplied_normal(const Vec3& up) {
     const Vec3& tangent = state_.frame.tangent();
@@ -305,11 +281,7 @@ void LiveKernel::make_points() {
     for (uint32_t k = 0; k < samples_made_.count; ++k) {
         const float t = samples_made_.t[k];
         const Steered steered = driven ? steered_start_.between(steered_end_, t) : Steered{};
-        if (state_.points + k == 0)
-            begin_walk();
-        else
-            advance_walk(state_.points + k, steered);
-        follow_style(k, state_.segment.hand_start.between(state_.segment.hand_end, t), steered);
+        make_point(k, t, state_.segment.hand_start.between(state_.segment.hand_end, t), steered);
     }
     write();
 }
@@ -347,34 +319,74 @@ void LiveKernel::make_lone_point() {
     samples_made_.count = 1;
     samples_made_.set_place(0, position, tangent);
     samples_made_.set_normal(0, drawn_normal(samples_.orientations, tangent));
-    begin_walk();
-    follow_style(0, state_.curve.last_hand(), steered_by(settings_.drives, state_.curve.last_reading()));
+    const HandReading reading = state_.curve.last_reading();
+    const Steered steered = steered_by(settings_.drives, reading);
+    choose(reading, reading, 0);
+    make_point(0, 0, state_.curve.last_hand(), steered);
     displaced_.set_along(0, Vec3::Zero());
     write();
 }
 
-// What point k of those that are made copies: attributes as flgCurveSetStylize gives them, sizes times scale. The
-// style's radius makes the hand's.
-void LiveKernel::follow_style(uint32_t k, const LiveHand& hand, const Steered& steered) {
-    const uint32_t node = state_.walk.node();
+// Point k of those that are made, at t of the segment: goes on along the style, and copies it. Attributes are as
+// flgCurveSetStylize gives them, sizes times scale. The style's radius makes the hand's.
+void LiveKernel::make_point(uint32_t k, float t, const LiveHand& hand, const Steered& steered) {
     const size_t at = row() + k;
-    displaced_.set_along(k, displacement_of(node) + state_.blend.offset());
-    if (!settings_.drives.empty()) displaced_.scale_at(k, static_cast<float>(steered.weight()));
     double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
     radius *= steered.radius;
+    radius *= mix_.empty() ? copy_style(k, steered) : copy_mix(k, t, steered);
+    if (!settings_.drives.empty()) displaced_.scale_at(k, static_cast<float>(steered.weight()));
+    out_.data[3][at] = static_cast<float>(radius);
+    out_.data[5][at] = static_cast<float>(hand.time);
+}
+
+// Returns what the style makes of the radius.
+double LiveKernel::copy_style(uint32_t k, const Steered& steered) {
+    FollowedStyle& style = state_.style;
+    if (state_.points + k == 0) {
+        style = follower_.begin();
+    } else {
+        follower_.advance(style, state_.points + k, steered);
+    }
+    const uint32_t node = style.walk.node();
+    const size_t at = row() + k;
+    displaced_.set_along(k, follower_.displacement(style));
+    out_.data[4][at] = static_cast<float>(node);
+    double radius = 1;
     uint32_t column = live_own_columns;
-    for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {
-        const StyleAttribute& attribute = settings_.style->attributes[a];
+    const auto& attributes = follower_.style().attributes;
+    for (size_t a = 0; a < attributes.size(); ++a) {
+        const StyleAttribute& attribute = attributes[a];
         if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) {
-            radius *= state_.blend.value(a, 0, node) / radius_unit_;
+            radius = style.blend.value(a, 0, node) / follower_.radius_unit();
             continue;
         }
-        state_.blend.write(a, node, settings_.scale * steered.scale, out_.data[column++] + at * attribute.components);
-        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) displaced_.turn_rad[k] = state_.blend.value(a, 0, node);
+        style.blend.write(a, node, follower_.scale() * steered.scale, out_.data[column++] + at * attribute.components);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) displaced_.turn_rad[k] = style.blend.value(a, 0, node);
     }
-    out_.data[3][at] = static_cast<float>(radius);
-    out_.data[4][at] = static_cast<float>(node);
-    out_.data[5][at] = static_cast<float>(hand.time);
+    return radius;
+}
+
+// The same of several styles.
+double LiveKernel::copy_mix(uint32_t k, float t, const Steered& steered) {
+    if (state_.points + k == 0) mix_.begin();
+    mix_.go_to(state_.points + k, t, steered);
+    const size_t at = row() + k;
+    displaced_.set_along(k, mix_.displacement());
+    out_.data[4][at] = static_cast<float>(mix_.node());
+    double radius = 1;
+    uint32_t column = live_own_columns;
+    const auto& attributes = follower_.style().attributes;
+    for (size_t a = 0; a < attributes.size(); ++a) {
+        const StyleAttribute& attribute = attributes[a];
+        const double* values = mix_.values(a);
+        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) {
+            radius = values[0];
+            continue;
+        }
+        std::copy_n(values, attribute.components, out_.data[column++] + at * attribute.components);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) displaced_.turn_rad[k] = values[0];
+    }
+    return radius;
 }
 
 // Points that know what they copy. An angle of the style turns the normal.

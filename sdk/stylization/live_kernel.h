@@ -9,14 +9,12 @@
 // for long is followed tau later. Position, pressure and the controller's axis go through it together; times don't.
 //
 // Points of a live stroke: even steps along the curve, the style's displacement at each (Minarcik, Fiser, Sykora, sec.
-// 4.5, drawn instead of applied).
+// 4.5, drawn instead of applied); with several styles what live_mix makes of them.
 //
 // Invariants
 // - Only the past counts: points once made stay.
-// - LiveState is a value. With the samples it says all that is to come, whatever slices run() was called in.
-// Departure from synthesis: there is no last sample to aim at, so a run never goes on to the style's end instead of
-// jumping (StyleWalk is told of more samples than there can be). Only a stroke that is drawn again, once it has ended,
-// knows its end, and can have the style's end cap.
+// - LiveState is a value. With the samples, and with LiveMixState if there are several styles, it says all that is to
+//   come, whatever slices run() was called in.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,9 +23,8 @@
 #include "core/moving_frame.h"
 #include "curves/sample_block.h"
 #include "stylization/displaced_block.h"
-#include "stylization/steering.h"
-#include "stylization/style.h"
-#include "stylization/synthesis.h"
+#include "stylization/live_follower.h"
+#include "stylization/live_mix.h"
 
 namespace flg {
 
@@ -53,6 +50,8 @@ struct LiveHand {
 // What of a hand steers the style.
 struct HandReading {
     float pressure = 0, speed = 0;  // speed in metres a second, on the way to the place
+
+    float of(FlgAttribute attribute) const { return attribute == FLG_ATTRIBUTE_PRESSURE ? pressure : speed; }
 };
 
 // From one place to the next.
@@ -110,32 +109,9 @@ private:
 
 Steered steered_by(const StyleDrives& drives, const HandReading& reading);
 
-struct LiveSettings {
-    const PreparedStyle* style = nullptr;
-    PathTrees* trees = nullptr;      // all there
-    PathTrees* hot_trees = nullptr;  // likewise, of a driven temperature's other end
-    StyleDrives drives{};
-    double magnitude = 1;
-    double scale = 1;
-    double min_radius = 0, max_radius = 0;                        // metres
-    double smoothing = 0;                                         // seconds
-    FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;  // or FLG_FRAME_METHOD_SUPPLIED
-    std::array<double, 9> basis{1, 0, 0, 0, 1, 0, 0, 0, 1};       // row-major
-    bool from_start = true;
-    uint64_t seed = 1;
-    uint32_t max_points = 0;
-    // If it is known: how many points the stroke will have, the last of which are the style's end cap; and the style's
-    // displacements, fitted.
-    uint32_t point_count = 0;
-    std::span<const Vec3> displacement{};
-    bool end_cap = false;  // is wanted once the stroke has ended
-
-    double spacing() const { return style->spacing() * scale; }
-};
-
 bool all_trees_made(const PathTrees& trees);
 
-// The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, then the style's attributes but for
+// The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, then the first style's attributes but for
 // RADIUS.
 constexpr uint32_t live_own_columns = 6;
 constexpr uint32_t live_columns_max = live_own_columns + style_attributes_max;
@@ -161,16 +137,17 @@ struct LiveState {
     double motion_s = 0;            // TIME of the last point, if the style has SPEED
     FrameChain chain;               // of rotation-minimizing frames
     RotationMinimizingFrame frame;  // of supplied ones
-    StyleWalk walk;
-    SeamBlend blend;
+    FollowedStyle style;            // if there is one
 };
 
 // Stays a kernel: the host pushes samples into it, in the middle of a frame, and it allocates nothing.
 class LiveKernel {
 public:
     LiveKernel() = default;
-    // `out` may have no data: then points are counted and not made. What the arguments refer to outlives the kernel.
-    LiveKernel(const LiveSettings& settings, const LiveSamples& samples, const LiveColumns& out);
+    // `out` may have no data: then points are counted and not made. `mix`: of several styles, if points are made. What
+    // the arguments refer to outlives the kernel.
+    LiveKernel(const LiveSettings& settings, const LiveSamples& samples, const LiveColumns& out,
+               const LiveMixState& mix = {});
 
     // Spends units, 1 a point and sample_units a sample, on the first `sample_count` samples; true if all was done that
     // can be.
@@ -182,7 +159,8 @@ public:
     void close() { state_.closing = true; }
 
     const LiveState& state() const { return state_; }
-    void restore(const LiveState& state);
+    const LiveMixState& mix_state() const { return mix_.state(); }
+    void restore(const LiveState& state, const LiveMixState& mix);
     // From now on data begins with this point.
     void write_from(uint32_t point) { out_.first = point; }
 
@@ -191,26 +169,26 @@ private:
     // Where the next point goes.
     size_t row() const { return state_.points - out_.first; }
     bool follow_segment(uint32_t& units);
+    void begin_segment();
+    void choose(const HandReading& start, const HandReading& end, double length);
     void take_segment();
     void make_points();
     void make_frames();
     void make_lone_point();
-    void begin_walk();
-    void advance_walk(uint32_t point, const Steered& steered);
-    void lead_home();
-    Vec3 displacement_of(uint32_t node) const;
     void take_supplied_normal(const Vec3& up);
-    void follow_style(uint32_t k, const LiveHand& hand, const Steered& steered);
+    void make_point(uint32_t k, float t, const LiveHand& hand, const Steered& steered);
+    double copy_style(uint32_t k, const Steered& steered);
+    double copy_mix(uint32_t k, float t, const Steered& steered);
     void write();
     double motion_time();
 
     LiveSettings settings_;
     LiveSamples samples_;
     LiveColumns out_;
-    Eigen::Matrix3d basis_ = Eigen::Matrix3d::Identity();  // with the scale
-    const float* speeds_ = nullptr;                        // the result's, if the style has them
-    bool turns_ = false;                                   // the style has an angle
-    double radius_unit_ = 1;                               // the radius attribute's mean
+    LiveFollower follower_;          // of the first style
+    LiveMix mix_;                    // empty if it is the only one
+    const float* speeds_ = nullptr;  // the result's, if the style has them
+    bool turns_ = false;             // the style has an angle
     double step_ = 0;
     LiveState state_;
     // Of the segment that is followed.

@@ -8,6 +8,7 @@
 #include "core/failure.h"
 #include "core/number_text.h"
 #include "stylization/automatic_scale.h"
+#include "stylization/style_mix.h"
 
 namespace flg {
 
@@ -91,13 +92,22 @@ const FlgCurveSetView& OneCurveView::show(const LiveColumns& from, uint32_t firs
     return view;
 }
 
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style, const StyleDrives& drives) {
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, std::span<const LiveStyleRequest> styles,
+                           const StyleDrives& drives) {
     LiveSettings settings;
-    settings.style = &style;
+    settings.style_count = static_cast<uint32_t>(styles.size());
+    const double pen_radius = 0.5 * (double{desc.min_radius} + desc.max_radius);
+    double blend = 0;
+    for (uint32_t i = 0; i < styles.size(); ++i) {
+        const PreparedStyle& style = styles[i].style->prepared;
+        if (i > 0) check_same_attributes(styles[0].style->prepared, style, i - 1);
+        const double scale = desc.scale > 0 ? desc.scale : live_scale(style, pen_radius);
+        settings.styles[i] = {&style, styles[i].trees.get(), styles[i].hot_trees.get(), scale};
+        blend = std::max(blend, default_blend(style, settings.styles[i].spacing()));
+    }
+    settings.style_blend = desc.style_blend > 0 ? desc.style_blend : blend;
     settings.drives = drives;
     settings.magnitude = desc.magnitude;
-    const double pen_radius = 0.5 * (double{desc.min_radius} + desc.max_radius);
-    settings.scale = desc.scale > 0 ? desc.scale : live_scale(style, pen_radius);
     settings.min_radius = desc.min_radius;
     settings.max_radius = desc.max_radius;
     settings.smoothing = desc.smoothing;
@@ -112,10 +122,8 @@ LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& s
 
 LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
     : origin(request.origin),
-      style_(request.style),
-      trees_(request.trees),
-      hot_trees_(request.hot_trees),
-      settings_(live_settings(request.desc, request.style->prepared, request.drives)),
+      styles_(request.styles),
+      settings_(live_settings(request.desc, {styles_.data(), request.style_count}, request.drives)),
       max_jump_(request.desc.max_jump),
       max_samples_(request.desc.max_samples),
       positions_(size_t{3} * request.desc.max_samples, memory),
@@ -124,10 +132,9 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
       times_(request.desc.max_samples, memory),
       host_times_(request.desc.max_samples, memory),
       checkpoints_(request.desc.max_samples / checkpoint_interval + 1, memory),
+      mix_states_(request.style_count, mix_of_checkpoints + checkpoints_.size(), memory),
       samples_{positions_.data(), orientations_.data(), pressures_.data(), times_.data()},
-      columns_(live_columns(request.style->prepared)) {
-    settings_.trees = trees_.get();
-    settings_.hot_trees = hot_trees_.get();
+      columns_(live_columns(*settings_.styles[0].style)) {
     size_t components = 0;
     for (uint32_t k = 0; k < columns_.count; ++k) {
         const CurveSet::ColumnLayout& layout = columns_.layout[k];
@@ -135,8 +142,8 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
         columns_.data[k] = values_[k].data();
         components += layout.components;
     }
-    kernel_ = LiveKernel(settings_, samples_, columns_);
-    std::construct_at(&checkpoints_[0], kernel_.state());
+    kernel_ = LiveKernel(settings_, samples_, columns_, mix_states_[mix_of_kernel]);
+    keep_checkpoint(0);
 
     tip_values_ = Buffer<float>(size_t{tip_rows} * components, memory);
     tip_columns_ = columns_;
@@ -145,7 +152,7 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
         tip_columns_.data[k] = place;
         place += size_t{tip_rows} * columns_.layout[k].components;
     }
-    tip_kernel_ = LiveKernel(settings_, samples_, tip_columns_);
+    tip_kernel_ = LiveKernel(settings_, samples_, tip_columns_, mix_states_[mix_of_tip]);
     view_.origin = tip_view_.origin = origin;
 }
 
@@ -187,14 +194,17 @@ void LiveStroke::store(const LiveSample& sample) {
     times_[at] = static_cast<float>(sample.time - host_times_[0]);
 }
 
+void LiveStroke::keep_checkpoint(uint32_t checkpoint) {
+    std::construct_at(&checkpoints_[checkpoint], kernel_.state());
+    mix_at(checkpoint).copy(kernel_.mix_state());
+}
+
 // One sample more, which is stored already.
 void LiveStroke::draw_to(uint32_t sample_count) {
     sample_count_ = sample_count;
-    uint32_t units = units_per_sample;
+    uint32_t units = units_per_sample / settings_.style_count;
     kernel_.run(sample_count_, units);
-    if (sample_count_ % checkpoint_interval == 0) {
-        std::construct_at(&checkpoints_[sample_count_ / checkpoint_interval], kernel_.state());
-    }
+    if (sample_count_ % checkpoint_interval == 0) keep_checkpoint(sample_count_ / checkpoint_interval);
 }
 
 void LiveStroke::push(const FlgLiveSampleView& samples) {
@@ -212,7 +222,7 @@ void LiveStroke::undo(uint32_t count) {
     }
     const uint32_t left = sample_count_ - count;
     const uint32_t checkpoint = left / checkpoint_interval;
-    kernel_.restore(checkpoints_[checkpoint]);
+    kernel_.restore(checkpoints_[checkpoint], mix_at(checkpoint));
     sample_count_ = checkpoint * checkpoint_interval;
     while (sample_count_ < left) draw_to(sample_count_ + 1);
 }
@@ -222,13 +232,15 @@ const FlgCurveSetView& LiveStroke::view_from(uint32_t first) {
 }
 
 const FlgCurveSetView& LiveStroke::tip() {
-    const LiveState& from = seen();
+    // The phase may change meanwhile: it is asked once.
+    const bool ending = phase() == Phase::ending;
+    const LiveState& from = ending ? before_end_ : kernel_.state();
     const uint32_t first = from.points > 0 ? from.points - 1 : 0;
     for (uint32_t k = 0; from.points > 0 && k < columns_.count; ++k) {
         const size_t components = columns_.layout[k].components;
         std::copy_n(columns_.data[k] + first * components, components, tip_columns_.data[k]);
     }
-    tip_kernel_.restore(from);
+    tip_kernel_.restore(from, ending ? mix_before() : kernel_.mix_state());
     tip_kernel_.write_from(first);
     tip_kernel_.close();
     uint32_t units = tip_units;
@@ -254,6 +266,7 @@ uint32_t LiveStroke::waiting_points() const {
 
 void LiveStroke::begin_end() {
     before_end_ = kernel_.state();
+    mix_before().copy(kernel_.mix_state());
     kernel_.close();
     phase_.store(Phase::ending, std::memory_order_release);
     ++readers;
@@ -261,12 +274,12 @@ void LiveStroke::begin_end() {
 
 void LiveStroke::settle(bool succeeded) {
     --readers;
-    if (!succeeded) kernel_.restore(before_end_);
+    if (!succeeded) kernel_.restore(before_end_, mix_before());
     phase_.store(succeeded ? Phase::ended : Phase::drawing, std::memory_order_release);
 }
 
 void LiveStroke::resume() {
-    kernel_.restore(before_end_);
+    kernel_.restore(before_end_, mix_before());
     phase_.store(Phase::drawing, std::memory_order_release);
 }
 

@@ -16,8 +16,10 @@
 // begin_end(), resume() and the release are calls for the stroke like those of who draws: they don't overlap with them.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <memory>
+#include <span>
 
 #include "core/origin.h"
 #include "filigree/filigree_live.h"
@@ -25,16 +27,23 @@
 
 namespace flg {
 
-struct LiveStrokeRequest {
+struct LiveStyleRequest {
     std::shared_ptr<Style> style;
     std::shared_ptr<PathTrees> trees, hot_trees;  // of the drives' temperatures, or twice the same
+};
+using LiveStyleRequests = std::array<LiveStyleRequest, styles_max>;
+
+struct LiveStrokeRequest {
+    LiveStyleRequests styles{};
+    uint32_t style_count = 1;
     Origin origin{};
-    FlgLiveStrokeDesc desc;  // checked; its style is resolved above, its drives copied below
+    FlgLiveStrokeDesc desc;  // checked; its styles are resolved above, its drives copied below
     StyleDrives drives{};
 };
 
-// Without trees.
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style, const StyleDrives& drives);
+// Throws FLG_ERROR_INVALID_ARGUMENT if styles transfer other attributes than the first one.
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, std::span<const LiveStyleRequest> styles,
+                           const StyleDrives& drives);
 
 // One sample of the controller; see FlgLiveSampleView.
 struct LiveSample {
@@ -65,7 +74,7 @@ class LiveStroke {
 public:
     static constexpr uint32_t checkpoint_interval = 6;
     // What keeps a push, and undoing with its checkpoint_interval - 1 samples, below what a frame can spare: a point is
-    // about 30 ns.
+    // about 30 ns. Styles share them.
     static constexpr uint32_t units_per_sample = 1024;
     // The same for a tip: further than this it doesn't look ahead. More than two samples make.
     static constexpr uint32_t tip_units = 256;
@@ -94,7 +103,7 @@ public:
     // The next point has found no room.
     bool cut() const { return seen().cut; }
     double spacing() const { return settings_.spacing(); }
-    double scale() const { return settings_.scale; }
+    double scale() const { return settings_.styles[0].scale; }
     const LiveSettings& settings() const { return settings_; }
     const LiveColumns& columns() const { return columns_; }
     const LiveSamples& samples() const { return samples_; }
@@ -113,12 +122,16 @@ public:
 private:
     void check_all(const FlgLiveSampleView& samples) const;
     void store(const LiveSample& sample);
+    void keep_checkpoint(uint32_t checkpoint);
     void draw_to(uint32_t sample_count);
     // What the host sees: while a job ends the stroke, as before.
     const LiveState& seen() const { return phase() == Phase::ending ? before_end_ : kernel_.state(); }
+    // Where several styles stand: for the kernel, before its end, for the tip, and at checkpoints.
+    static constexpr size_t mix_of_kernel = 0, mix_before_end = 1, mix_of_tip = 2, mix_of_checkpoints = 3;
+    LiveMixState mix_before() { return mix_states_[mix_before_end]; }
+    LiveMixState mix_at(uint32_t checkpoint) { return mix_states_[mix_of_checkpoints + checkpoint]; }
 
-    std::shared_ptr<Style> style_;
-    std::shared_ptr<PathTrees> trees_, hot_trees_;
+    LiveStyleRequests styles_;
     LiveSettings settings_;
     double max_jump_;
     uint32_t max_samples_;
@@ -127,6 +140,7 @@ private:
     Buffer<double> host_times_;  // as the host counts
     std::array<Buffer<float>, live_columns_max> values_;
     Buffer<LiveState> checkpoints_;
+    LiveMixStates mix_states_;
     LiveSamples samples_;
     LiveColumns columns_;
     LiveKernel kernel_;

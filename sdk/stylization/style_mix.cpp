@@ -13,25 +13,8 @@ namespace flg {
 
 namespace {
 
-constexpr double patches_by_default = 2;
 constexpr uint32_t units_at_once = 100;
 constexpr size_t changes_max = 64;  // within a blend: each costs 10 ns a point
-
-// A stretch of a target that chooses one style, to `end` metres along it.
-struct StyleRun {
-    double end;
-    uint32_t style;
-};
-
-uint32_t nearest_style(double value, uint32_t count) {
-    return static_cast<uint32_t>(std::clamp(std::floor(value + 0.5), 0.0, count - 1.0));
-}
-
-// The share of a blend that lies before y, from -1/2 to 1/2.
-double blended(double y) {
-    const double r = std::clamp(y + 0.5, 0.0, 1.0);
-    return r * r * (3 - 2 * r);
-}
 
 // One column of all results that is mixed.
 struct MixedColumn {
@@ -94,30 +77,20 @@ private:
 template <class Visit>
 Task<void> each_change(Pace& pace, CurveView curve, const float* chosen, uint32_t styles, Visit visit) {
     double s = 0;
-    bool begun = false;
-    uint32_t style = 0;
+    StyleChoice choice(styles);
     Slice slice(Cost::tens_of_ns);
     for (SegmentStream stream(curve); !stream.done();) {
         const SegmentStream::Range range = stream.take();
         for (uint32_t j = range.first; j < range.last; ++j) {
             const uint32_t index = stream.index_of(j);
-            const double from = chosen[index], to = chosen[curve.following(index)];
             const double length = stream.block().lengths[j];
-            const uint32_t first = nearest_style(from, styles), last = nearest_style(to, styles);
-            if (begun && first != style) visit(s, style);
-            begun = true;
-            style = first;
-            while (style != last) {
-                const uint32_t next = style < last ? style + 1 : style - 1;
-                const double middle = 0.5 * (style + next);
-                visit(s + length * std::clamp((middle - from) / (to - from), 0.0, 1.0), style);
-                style = next;
-            }
+            choice.follow(chosen[index], chosen[curve.following(index)], s, length,
+                          [&](double at, uint32_t style, uint32_t) { visit(at, style); });
             s += length;
         }
         if (slice.is_over(2 * (range.last - range.first) + 1)) co_await pace;
     }
-    visit(s, style);
+    visit(s, choice.style());
 }
 
 Task<void> find_runs(Pace& pace, CurveView curve, const float* chosen, uint32_t styles,
@@ -139,55 +112,6 @@ Task<double> bounded_blend(Pace& pace, std::span<const StyleRun> runs, double bl
         if (window > 0) blend = std::min(blend, window);
     });
     co_return blend;
-}
-
-// Which styles count how much along a curve.
-class StyleWeights {
-public:
-    StyleWeights(std::span<const StyleRun> runs, bool closed, double blend)
-        : runs_(runs), closed_(closed), length_(runs.back().end), blend_(blend) {
-        // Where a closed curve has come around, a place must not count twice.
-        if (closed) blend_ = std::min(blend_, 0.5 * length_);
-    }
-    // At the arc length; in order. Returns how many runs were looked at.
-    uint32_t at(double s, std::array<double, styles_max>& weights);
-
-private:
-    std::span<const StyleRun> runs_;
-    bool closed_;
-    double length_;
-    double blend_;
-    size_t first_ = 0;
-};
-
-uint32_t StyleWeights::at(double s, std::array<double, styles_max>& weights) {
-    weights.fill(0);
-    const double half = 0.5 * blend_;
-    while (first_ + 1 < runs_.size() && runs_[first_].end <= s - half) ++first_;
-    uint32_t looked = 1;
-    const auto add = [&](uint32_t style, double begin, double end, double from) {
-        const double low = (begin - from) / blend_, high = (end - from) / blend_;
-        weights[style] += blended(high) - blended(low);
-    };
-    const auto open_end = [&](size_t run) { return !closed_ && run + 1 == runs_.size() ? HUGE_VAL : runs_[run].end; };
-    for (size_t run = first_; run < runs_.size(); ++run, ++looked) {
-        const bool is_first = run == 0;
-        const double begin = is_first ? (closed_ ? 0.0 : -HUGE_VAL) : runs_[run - 1].end;
-        if (begin >= s + half) break;
-        add(runs_[run].style, begin, open_end(run), s);
-    }
-    if (!closed_) return looked;
-    // Around the start, from both sides.
-    for (size_t run = runs_.size(); run > 0 && s < half && runs_[run - 1].end - length_ > s - half; --run, ++looked) {
-        const double begin = run > 1 ? runs_[run - 2].end : 0.0;
-        add(runs_[run - 1].style, begin, runs_[run - 1].end, s + length_);
-    }
-    for (size_t run = 0; run < runs_.size() && s + half > length_; ++run, ++looked) {
-        const double begin = run > 0 ? runs_[run - 1].end : 0.0;
-        if (begin + length_ >= s + half) break;
-        add(runs_[run].style, begin, runs_[run].end, s - length_);
-    }
-    return looked;
 }
 
 // One stroke along one curve.
@@ -260,8 +184,8 @@ private:
     double start_ = 0, length_ = 0;
     std::array<SampleMap, styles_max> maps_;
     std::array<uint32_t, styles_max> in_first_{};
-    std::array<double, styles_max> weight_{};
-    std::array<double, styles_max> last_weight_{};
+    StyleShares weight_{};
+    StyleShares last_weight_{};
     std::array<Place, styles_max> places_;
     // Whole turns that are added to a style's angles, by column.
     std::array<std::array<double, styles_max>, style_attributes_max + 4> turns_{};
@@ -346,12 +270,11 @@ void CurveMixer::write(uint32_t sample, const Vec3& tangent, const Vec3& normal)
     last_weight_ = weight_;
 }
 
-double default_blend(const Mix& mix, uint32_t curve) {
+double longest_default_blend(const Mix& mix, uint32_t curve) {
     double longest = 0;
     for (uint32_t i = 0; i < mix.input.count; ++i) {
         const MixedStyle& style = mix.input.styles[i];
-        const double patch = (2.0 * style.style->graph.patch + 1) * style.sampling->spacing_of(curve);
-        longest = std::max(longest, patches_by_default * patch);
+        longest = std::max(longest, default_blend(*style.style, style.sampling->spacing_of(curve)));
     }
     return longest;
 }
@@ -365,7 +288,7 @@ Task<void> mix_batch(Pace& pace, const Mix& mix, uint32_t batch) {
         std::pmr::vector<StyleRun> runs(pace.memory());
         const float* chosen = input.chosen.data() + input.target.offsets()[c];
         co_await find_runs(pace, curve_view(input.target, c), chosen, input.count, runs);
-        const double blend = input.blend > 0 ? input.blend : default_blend(mix, c);
+        const double blend = input.blend > 0 ? input.blend : longest_default_blend(mix, c);
         const std::span<const StyleRun> all(runs.data(), runs.size());
         StyleWeights weights(all, input.target.closed(c), co_await bounded_blend(pace, all, blend));
         CurveMixer mixer(mix, c, out_curve, weights);
@@ -375,6 +298,11 @@ Task<void> mix_batch(Pace& pace, const Mix& mix, uint32_t batch) {
         pace.advance(input.out.offsets()[out_curve + 1] - input.out.offsets()[out_curve]);
         co_await pace;
     }
+}
+
+// Whose samples are closer together. Exact steps may be as many where they are not as long.
+bool is_closer(const SamplingPlan& a, const SamplingPlan& b) {
+    return a.exact_step > 0 && b.exact_step > 0 ? a.exact_step < b.exact_step : a.steps > b.steps;
 }
 
 // The structure of the result.
@@ -388,7 +316,7 @@ Task<void> lay_out(Pace& pace, Mix& mix) {
     for (uint32_t c = 0; c < curves; ++c) {
         mix.base[c] = 0;
         for (uint32_t i = 1; i < input.count; ++i) {
-            if (mix.plan(i, c).steps > mix.plan(mix.base[c], c).steps) mix.base[c] = static_cast<uint8_t>(i);
+            if (is_closer(mix.plan(i, c), mix.plan(mix.base[c], c))) mix.base[c] = static_cast<uint8_t>(i);
         }
         for (uint32_t k = 0; k < copies; ++k) {
             out.offsets()[c * copies + k] = static_cast<uint32_t>(points);

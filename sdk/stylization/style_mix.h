@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Several styles along one target: each is applied by itself, then their results are mixed point by point.
 //
-// Which style is chosen changes from place to place of the target (the value that a drive gives goes evenly from point
-// to point, and the nearest style counts). Over the length b, half before such a place and half behind, one style turns
-// into the next: a style's weight at arc length s is the share of the places x that choose it,
-//   w(s) = int over them of K((x - s) / b) dx / b,   K(y) = 3/2 - 6 y^2 within 1/2 of 0,
-// so that weights add up to 1, change without steps or bends, and are 1 where a style is alone for longer than b. Where
-// a curve's choice changes more than 64 times over b somewhere, b is as long as 64 changes there.
+// Half of a blend (style_choice.h) is before the place where the choice changes, half behind. Where a curve's choice
+// changes more than 64 times over b somewhere, b is as long as 64 changes there.
 // The result has the points of the style that has most on the curve. The others' places and attributes are interpolated
 // between their points that lie there along the target; what is alone is copied to the bit. Since all results are the
 // target plus a displacement, the mean of their points is the target plus the mean displacement.
@@ -17,11 +13,9 @@
 #include <array>
 
 #include "curves/sampling_job.h"
-#include "stylization/style.h"
+#include "stylization/style_choice.h"
 
 namespace flg {
-
-constexpr uint32_t styles_max = 8;
 
 // One style's part.
 struct MixedStyle {

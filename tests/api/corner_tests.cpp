@@ -199,6 +199,42 @@ TEST_F(Corners, EverySideHasTheSamePhaseHoweverLong) {
     }
 }
 
+// As a hand draws it: each corner is an arc of some points.
+TEST_F(Corners, OfASquareDrawnRoundAreFourToo) {
+    desc.corners = FLG_STYLE_CORNERS_MOTIFS;
+    for (const uint32_t arc_points : {2u, 3u, 5u, 9u}) {
+        const double spacing = 0.12 / arc_points, radius = spacing * (arc_points - 1) / (M_PI / 2);
+        Curves drawn;
+        std::vector<Position3> middles;
+        for (int side = 0; side < 4; ++side) {
+            const double a = side * M_PI / 2;
+            // From the middle of a side, about the square's centre.
+            const auto add = [&](double along, double out) {
+                drawn.add_point(2 + along * -std::sin(a) + out * std::cos(a),
+                                2 + along * std::cos(a) + out * std::sin(a), 0);
+            };
+            for (double along = -2 + radius + spacing / 2; along < 2 - radius; along += spacing) add(along, 2);
+            for (uint32_t k = 0; k < arc_points; ++k) {
+                const double turned = M_PI / 2 * k / (arc_points - 1);
+                add(2 - radius + radius * std::sin(turned), 2 - radius + radius * std::cos(turned));
+            }
+            const double middle = 2 - radius + radius * std::sqrt(0.5);
+            middles.push_back({2 + middle * (std::cos(a) - std::sin(a)), 2 + middle * (std::cos(a) + std::sin(a)), 0});
+        }
+        drawn.end_curve(FLG_CURVE_CLOSED);
+        const Heard heard = along(drawn);
+        const auto& index = heard.of(FLG_ATTRIBUTE_STYLE_INDEX);
+        for (const Position3& middle : middles) {
+            // A motif begins there.
+            double nearest = HUGE_VAL;
+            for (size_t i = 0; i < heard.points(); ++i) {
+                if (index[i] == 0) nearest = std::min(nearest, norm(target(heard, i) - middle));
+            }
+            EXPECT_LT(nearest, 0.6 * spacing) << arc_points;
+        }
+    }
+}
+
 TEST_F(Corners, SidesTooShortForAMotifGetASmallOne) {
     desc.corners = FLG_STYLE_CORNERS_MOTIFS;
     const Polygon step = {{0, 0}, {4, 0}, {4, 0.05}, {8, 0.05}};

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <random>
+#include <vector>
 
 #include "curves/sample_block.h"
 
@@ -85,6 +86,21 @@ TEST(VectorTargets, CurvesHaveTheSameBitsOnEveryProcessor) {
         plain::find_steps(plain_samples, static_cast<float>(1 / 0.1));
         EXPECT_TRUE(same_bits(samples.first, plain_samples.first, sizeof samples.first)) << seed;
         EXPECT_TRUE(same_bits(samples.real[1], plain_samples.real[1], sizeof samples.real[1])) << seed;
+    }
+}
+
+TEST(VectorTargets, AnyNumberOfPointsIsPacked) {
+    SampleBlock block{};
+    for (uint32_t k = 0; k < SampleBlock::size; ++k) {
+        for (uint32_t c = 0; c < 3; ++c) block.tangent[c][k] = static_cast<float>(3 * k + c);
+    }
+    for (uint32_t count = 0; count <= SampleBlock::capacity; ++count) {
+        std::vector<float> packed(3 * SampleBlock::size, -1.0f);
+        pack(block.tangent, count, packed.data());
+        // Slot k + 1 is sample k's; behind the last one nothing is written.
+        for (uint32_t i = 0; i < packed.size(); ++i) {
+            ASSERT_EQ(packed[i], i < 3 * count ? static_cast<float>(i + 3) : -1.0f) << count << ", " << i;
+        }
     }
 }
 

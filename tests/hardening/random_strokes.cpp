@@ -116,6 +116,16 @@ void RandomHost::draw_live() {
         desc.max_points = 64 + draw(400);
         desc.smoothing = chance(4) ? number(0, 0.1) : 0;
         desc.end_cap = chance(3);
+        const FlgStyleDrive drive = {
+            choice<FlgAttribute>(14), choice<FlgStyleDriven>(5), 0, 1, number(0, 2), number(0, 2)};
+        const auto further = any<FlgStyle>(style);
+        if (chance(3)) {
+            desc.drives = maybe(&drive);
+            desc.drive_count = 1;
+            desc.further_styles = maybe(&further);
+            desc.further_style_count = draw(2);
+            desc.style_blend = number(0, 2);
+        }
         odd(desc);
         returned(flgLiveStrokeBegin(at(), maybe(&desc), out<FlgLiveStroke>(live_stroke)));
         if (chance(8)) {

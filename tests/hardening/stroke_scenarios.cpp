@@ -261,14 +261,21 @@ void draw_live_strokes(Calls& calls) {
     FlgLiveStrokeDesc desc = FLG_INIT(calls, flgLiveStrokeDescInit);
     desc.style = create_style(calls, 0.3f);
     desc.end_cap = 1;
-    FLG_CALL(calls, flgStyleWarm, context, desc.style, 0.0f, nullptr, calls.job());
+    const FlgStyle other = create_style(calls);
+    desc.further_styles = &other;
+    desc.further_style_count = 1;
+    desc.style_blend = 0.2f;
+    for (const FlgStyle style : {desc.style, other}) {
+        FLG_CALL(calls, flgStyleWarm, context, style, 0.0f, nullptr, calls.job());
+    }
     calls.finish();
     desc.scale = 0.3f;
     desc.max_samples = 64;
     desc.max_points = 512;
-    const FlgStyleDrive drive = {FLG_ATTRIBUTE_SPEED, FLG_STYLE_DRIVEN_SCALE, 0.5f, 2, 1, 0.8f};
-    desc.drives = &drive;
-    desc.drive_count = 1;
+    const FlgStyleDrive drives[] = {{FLG_ATTRIBUTE_SPEED, FLG_STYLE_DRIVEN_SCALE, 0.5f, 2, 1, 0.8f},
+                                    {FLG_ATTRIBUTE_PRESSURE, FLG_STYLE_DRIVEN_STYLE, 0, 1, 0, 1}};
+    desc.drives = drives;
+    desc.drive_count = 2;
     FlgLiveStroke stroke{};
     FLG_CALL(calls, flgLiveStrokeBegin, context, &desc, calls.out(stroke));
     const Samples samples = drawn(30);

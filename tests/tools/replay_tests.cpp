@@ -64,6 +64,40 @@ TEST_F(Replay, EndedStrokesGetTheEndCapIfWanted) {
     EXPECT_NE(folder.read("plain.xyz"), folder.read("capped.xyz"));
 }
 
+TEST_F(Replay, SeveralStylesAreChosenAmong) {
+    std::string text = "# columns x y z pressure\n";
+    for (int i = 0; i <= 50; ++i) text += std::to_string(0.1 * i) + " 0 0 " + std::to_string(0.02 * i) + "\n";
+    folder.write("stroke.xyz", text);
+    const auto with = [&](const std::string& choice) {
+        return std::vector<std::string>{"replay",
+                                        "stroke.xyz",
+                                        "--style",
+                                        "builtin:loops",
+                                        "--style",
+                                        "builtin:zigzag",
+                                        "--drive",
+                                        "pressure=style:" + choice,
+                                        "--style-blend",
+                                        "0.5",
+                                        "--scale",
+                                        "0.1",
+                                        "-o",
+                                        "out.xyz",
+                                        "--fast",
+                                        "--report",
+                                        "report.json",
+                                        "--quiet"};
+    };
+    done(with("0:1"));
+    const nlohmann::json json = report();
+    EXPECT_EQ(json.at("parameters").at("style").size(), 2u);
+    EXPECT_EQ(json.at("parameters").at("style_blend"), 0.5);
+    EXPECT_EQ(json.at("quality").at("allocations"), 0);
+    const std::string mixed = folder.read("out.xyz");
+    done(with("1:1"));
+    EXPECT_NE(folder.read("out.xyz"), mixed);
+}
+
 TEST_F(Replay, BreaksStrokesAtJumps) {
     std::string text = stroke();
     for (int i = 0; i < 10; ++i) text += std::to_string(50 + 0.1 * i) + " 0 0\n";

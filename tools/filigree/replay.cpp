@@ -248,21 +248,40 @@ void add_latencies(const Latencies& latencies, Report& report) {
     report.quality["allocations"] = latencies.allocations;
 }
 
-FlgStyle prepare_style(Session& session, const Options& options, Report& report) {
+// Ready, and warm.
+std::vector<FlgStyle> prepare_styles(Session& session, const Options& options, Report& report) {
     FlgContext context = session.context();
-    FlgJob style_job = {};
-    const FlgStyle style = options.style.start(context, report, style_job);
     std::vector<Session::Pending> jobs;
-    if (style_job.id != 0) jobs.push_back({style_job, options.style.subject()});
+    FlgJob first_job = {};
+    const FlgStyle first = options.style.start(context, report, first_job);
+    if (first_job.id != 0) jobs.push_back({first_job, options.style.subject()});
+    std::vector<StyleOptions::Pending> further_jobs;
+    std::vector<FlgStyle> styles = options.style.start_further(context, report, further_jobs);
+    styles.insert(styles.begin(), first);
+    for (const StyleOptions::Pending& pending : further_jobs) jobs.push_back({pending.job, pending.subject});
     const auto temperatures = options.apply.temperatures();
-    for (size_t k = 0; k < (temperatures[0] == temperatures[1] ? 1 : temperatures.size()); ++k) {
-        FlgJob warm_job = {};
-        check(flgStyleWarm(context, style, temperatures[k], nullptr, &warm_job), options.style.subject());
-        jobs.push_back({warm_job, options.style.subject()});
+    for (const FlgStyle style : styles) {
+        for (size_t k = 0; k < (temperatures[0] == temperatures[1] ? 1 : temperatures.size()); ++k) {
+            FlgJob warm_job = {};
+            check(flgStyleWarm(context, style, temperatures[k], nullptr, &warm_job), options.style.subject());
+            jobs.push_back({warm_job, options.style.subject()});
+        }
     }
     session.finish(jobs, report);
-    options.style.save(context, style, report);
-    return style;
+    options.style.save(context, first, report);
+    return styles;
+}
+
+// Of the style whose points are closest together, metres at scale 1.
+double least_spacing(FlgContext context, const std::vector<FlgStyle>& styles, const Options& options) {
+    double spacing = HUGE_VAL;
+    for (const FlgStyle style : styles) {
+        FlgStyleInfo info = {};
+        info.struct_size = sizeof info;
+        check(flgStyleGetInfo(context, style, &info), options.style.subject());
+        spacing = std::min(spacing, double{info.spacing});
+    }
+    return spacing;
 }
 
 void describe(const Options& options, Report& report) {
@@ -272,6 +291,7 @@ void describe(const Options& options, Report& report) {
     report.parameters["smoothing"] = as_written(options.live.smoothing);
     report.parameters["max_jump"] = as_written(options.live.max_jump);
     if (options.live.end_cap != 0) report.parameters["end_cap"] = true;
+    if (options.live.style_blend > 0.0f) report.parameters["style_blend"] = as_written(options.live.style_blend);
     options.surface.describe(report);
 }
 
@@ -293,11 +313,11 @@ void run_replay(Options options, const CommonOptions& common) {
     Session session(common, pool.hooks());
     FlgContext context = session.context();
     options.apply.set(options.live);
-    options.live.style = prepare_style(session, options, report);
+    const std::vector<FlgStyle> styles = prepare_styles(session, options, report);
+    options.live.style = styles[0];
+    options.live.further_styles = styles.size() > 1 ? &styles[1] : nullptr;
+    options.live.further_style_count = static_cast<uint32_t>(styles.size() - 1);
     options.live.seed = common.seed;
-    FlgStyleInfo info = {};
-    info.struct_size = sizeof info;
-    check(flgStyleGetInfo(context, options.live.style, &info), options.style.subject());
     const FlgCurveSetView& view = strokes.view();
     std::copy(std::begin(view.origin), std::end(view.origin), options.live.origin);
     std::optional<ChosenScales> chosen;
@@ -306,7 +326,7 @@ void run_replay(Options options, const CommonOptions& common) {
     uint64_t retimed = 0;
     std::vector<Recording> recordings;
     for (uint32_t c = 0; c < view.curve_count; ++c) recordings.push_back(record(options, chosen, view, c, retimed));
-    reserve(view, recordings, info.spacing, options.live);
+    reserve(view, recordings, least_spacing(context, styles, options), options.live);
 
     const std::vector<FlgCurveGeometry> brushes = samples::shapes_of_strokes(strokes);
     std::vector<uint32_t> drawn;  // the recording of each result
@@ -383,6 +403,10 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
     app->add_flag_callback(
         "--end-cap", [o] { o->live.end_cap = 1; },
         "Ended strokes get the style's end cap (--caps), which strokes do not have while drawn");
+    app->add_option("--style-blend", live.style_blend,
+                    "Length of the strokes over which one style turns into the next, metres, >= 0; 0 = two patches")
+        ->capture_default_str()
+        ->check(at_least_zero());
     app->add_option("--radius-min", o->min_radius,
                     "Radius at pressure 0, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.001")
         ->check(at_least_zero());

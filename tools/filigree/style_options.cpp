@@ -106,7 +106,7 @@ void StyleOptions::add_to(CLI::App& app, const std::string& smoothing) {
                further_.assign(styles.begin() + 1, styles.end());
            },
            "The example: all curves of a file as one style, or builtin:NAME (" + names +
-               "). Given several times: styles 0, 1, ... among which --drive NAME=style:A:B chooses (stylize)")
+               "). Given several times: styles 0, 1, ... among which --drive NAME=style:A:B chooses")
         ->allow_extra_args(false);
     app.add_option("--style-file", style_file_,
                    "With --style: write the prepared style there. Without: read it from there, and prepare nothing")
@@ -199,8 +199,7 @@ void StyleOptions::parse_caps(const std::string& text) {
     }
 }
 
-void StyleOptions::check_usage(bool one) const {
-    if (one && !further_.empty()) throw UsageError("--style: strokes that are drawn have one style");
+void StyleOptions::check_usage() const {
     if (further_.size() > kMaxFurther) throw UsageError("--style: takes at most 8 styles");
     if (!further_.empty() && (!guide_.empty() || !style_file_.empty())) {
         throw UsageError((guide_.empty() ? "--style-file" : "--guide") +

@@ -17,8 +17,8 @@ public:
     // `smoothing`: what the option for the guide's is called, where a command has another of that name.
     void add_to(CLI::App& app, const std::string& smoothing = "--smoothing");
 
-    // Refuses what does not go together (UsageError) and files that can't be written; `one`: more than one style, too.
-    void check_usage(bool one = true) const;
+    // Refuses what does not go together (UsageError) and files that can't be written.
+    void check_usage() const;
     void describe(Report& report) const;
     // A style that is prepared by `out_job` (null: ready at once, from the style file).
     FlgStyle start(FlgContext context, Report& report, FlgJob& out_job) const;

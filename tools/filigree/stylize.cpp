@@ -72,7 +72,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     const StylizeOutput output{options.output,    options.save_guide, options.save_matching,
                                options.save_path, options.surface,    options.columns};
     output.check_paths();
-    options.style.check_usage(false);
+    options.style.check_usage();
     require_writable(common.report);
     Report report("stylize", common);
     describe(options, report);

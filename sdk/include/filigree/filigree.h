@@ -690,7 +690,7 @@ typedef enum FlgStyleDriven {
                                          on by a path of the one or the other, by chance, weighted. One drive at most */
     FLG_STYLE_DRIVEN_RADIUS = 3,      /* a factor on the result's RADIUS, >= 0 */
     FLG_STYLE_DRIVEN_STYLE = 4,       /* which style: 0 is `style`, k the k-th of `further_styles`, >= 0; the nearest
-                                         one counts. One drive at most; not of live strokes */
+                                         one counts. One drive at most */
     FLG_STYLE_DRIVEN_FORCE_32BIT = 0x7fffffff
 } FlgStyleDriven;
 
@@ -788,7 +788,9 @@ typedef struct FlgCurveSetStylizeDesc {
     FlgStyleCorners corners;
     /* What a corner turns by at least, radians, above 0 and below pi: by more than that, and more than twice what the
      * points next to it turn by in its direction, or by more than 1.7 times that. Smooth curves have none if they have
-     * 8 points around. Default 50 degrees. */
+     * 8 points around. A corner may be drawn round, too: a bend that turns by more than that, and by no more than 160
+     * degrees, within a patch of `style` as it is scaled (2 p + 1 steps) or 2.4 of its displacement_rms, between nearly
+     * straight sides three times as long as the bend; it is where the bend turns most. Default 50 degrees. */
     float corner_angle;
     /* Nonzero: with FLG_STYLE_CORNERS_MOTIFS the style's caps come at corners too, as at ends: the end cap before, the
      * start cap behind each. Default 0. */

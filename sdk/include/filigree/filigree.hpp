@@ -2617,6 +2617,13 @@ struct LiveStrokeDesc : FlgLiveStrokeDesc {
     }
     /// A list would end before the descriptor is used.
     void set_drives(std::initializer_list<FlgStyleDrive>) = delete;
+    /// Sets further_styles and further_style_count. The array must live until the descriptor is used.
+    void set_further_styles(Span<const FlgStyle> values) {
+        further_styles = values.data();
+        further_style_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_further_styles(std::initializer_list<FlgStyle>) = delete;
 };
 
 /// Samples of the controller, as columns: arrays of the host, or members of an array of structs.

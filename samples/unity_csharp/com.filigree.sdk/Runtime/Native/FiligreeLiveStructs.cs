@@ -36,8 +36,9 @@ namespace Filigree
         /// </summary>
         public float max_jump;
         /// <summary>
-        /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 400 bytes a sample, 44 a point and 4 for each
-        /// component of the style's attributes; 257 more points for the tip. Default 16,384 and 65,536.
+        /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 400 bytes a sample (with several styles 350
+        /// more for each), 44 a point and 4 for each component of the style's attributes; 257 more points for the tip.
+        /// Default 16,384 and 65,536.
         /// </summary>
         public uint max_samples;
         /// <summary>points beyond this are cut off, see FlgLiveStrokeInfo</summary>
@@ -68,6 +69,20 @@ namespace Filigree
         /// drawn once more for that, as a job. Default 0.
         /// </summary>
         public uint end_cap;
+        /// <summary>
+        /// More styles, at most 7, among which a drive of FlgStyleDriven.Style chooses while the hand draws; null:
+        /// none. They must be prepared and warm like `style`, and transfer the same attributes. The stroke's points are
+        /// as close together as those of the style with the smallest spacing. STYLE_INDEX counts through the points of
+        /// all styles, one style behind the other, and is that of the style that counts most. See Several styles.
+        /// </summary>
+        public FlgStyle* further_styles;
+        public uint further_style_count;
+        /// <summary>
+        /// Over which length of the stroke one style turns into the next, metres, &gt;= 0: it begins where the choice
+        /// changes and goes on evenly, in direction too. 0: two patches of the style whose points are farthest apart.
+        /// Default 0.
+        /// </summary>
+        public float style_blend;
     }
 
     /// <summary>Samples of the controller, as columns: arrays of the host, or members of an array of structs.</summary>

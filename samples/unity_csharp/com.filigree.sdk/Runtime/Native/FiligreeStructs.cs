@@ -630,7 +630,10 @@ namespace Filigree
         /// <summary>
         /// What a corner turns by at least, radians, above 0 and below pi: by more than that, and more than twice what
         /// the points next to it turn by in its direction, or by more than 1.7 times that. Smooth curves have none if
-        /// they have 8 points around. Default 50 degrees.
+        /// they have 8 points around. A corner may be drawn round, too: a bend that turns by more than that, and by no
+        /// more than 160 degrees, within a patch of `style` as it is scaled (2 p + 1 steps) or 2.4 of its
+        /// displacement_rms, between nearly straight sides three times as long as the bend; it is where the bend turns
+        /// most. Default 50 degrees.
         /// </summary>
         public float corner_angle;
         /// <summary>

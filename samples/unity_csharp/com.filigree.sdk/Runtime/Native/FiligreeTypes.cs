@@ -282,7 +282,7 @@ namespace Filigree
         Radius = 3,
         /// <summary>
         /// FLG_STYLE_DRIVEN_STYLE: which style: 0 is `style`, k the k-th of `further_styles`, &gt;= 0; the nearest one
-        /// counts. One drive at most; not of live strokes
+        /// counts. One drive at most
         /// </summary>
         Style = 4,
     }
