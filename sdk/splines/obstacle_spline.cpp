@@ -16,10 +16,10 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t lift_work = 4;      // of Cost::microseconds: two a slice
-constexpr double first_share = 0.05;   // of the scene's size: the first radius
-constexpr double shrink = 0.35;        // of the radius, from one solve to the next
-constexpr double rough = 1e-2;         // the tolerance before the last one
+constexpr uint32_t lift_work = 4;     // of Cost::microseconds: two a slice
+constexpr double first_share = 0.05;  // of the scene's size: the first radius
+constexpr double shrink = 0.35;       // of the radius, from one solve to the next
+constexpr double rough = 1e-2;        // the tolerance before the last one
 // Nodes keep so much farther away than the curve has to, of the last radius, and a part of that is spare.
 constexpr double margin_share = 0.1, spare_share = 0.25, max_margin = 5;
 constexpr double allowance = 2e-7;  // of the scene's size: what rounding may do, and points that touch
@@ -101,15 +101,18 @@ struct Chain {
     explicit Chain(Memory* memory) : points(memory), knots(memory), shares(memory) {}
 
     std::pmr::vector<double> points;
-    std::pmr::vector<uint32_t> knots;   // the nodes of given points
-    std::pmr::vector<double> shares;    // of each interval, of its segment's parameters
+    std::pmr::vector<uint32_t> knots;  // the nodes of given points
+    std::pmr::vector<double> shares;   // of each interval, of its segment's parameters
 };
 
 // A segment of the first curve, by lengths.
 class Polyline {
 public:
     Polyline(const FirstCurve& first, uint32_t segment, uint32_t dimension, Memory* memory)
-        : points_(first.points), begin_(segment == 0 ? 0 : first.ends[segment - 1] - 1), d_(dimension), lengths_(memory) {
+        : points_(first.points),
+          begin_(segment == 0 ? 0 : first.ends[segment - 1] - 1),
+          d_(dimension),
+          lengths_(memory) {
         double length = 0;
         lengths_.push_back(0);
         for (uint32_t p = begin_; p + 1 < first.ends[segment]; ++p) {
@@ -122,7 +125,8 @@ public:
         const double target = share * lengths_.back();
         const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, target);
         const auto piece = static_cast<size_t>(after - lengths_.begin()) - 1;
-        const double step = *after - lengths_[piece], t = step > 0 ? std::clamp((target - lengths_[piece]) / step, 0.0, 1.0) : 0;
+        const double step = *after - lengths_[piece],
+                     t = step > 0 ? std::clamp((target - lengths_[piece]) / step, 0.0, 1.0) : 0;
         const double* const a = &points_[(begin_ + piece) * d_];
         for (uint32_t c = 0; c < d_; ++c) out[c] = (1 - t) * a[c] + t * a[d_ + c];
     }
@@ -180,7 +184,8 @@ Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint
         const auto own = static_cast<uint8_t>(std::clamp(wanted, 2.0, double{max_parts}));
         const uint8_t beside = own / 2;
         parts[trespass.interval] = std::max(parts[trespass.interval], own);
-        const uint32_t before = (trespass.interval + intervals - 1) % intervals, after = (trespass.interval + 1) % intervals;
+        const uint32_t before = (trespass.interval + intervals - 1) % intervals,
+                       after = (trespass.interval + 1) % intervals;
         parts[before] = std::max(parts[before], beside);
         parts[after] = std::max(parts[after], beside);
     }

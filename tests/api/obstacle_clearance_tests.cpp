@@ -79,9 +79,8 @@ TEST(SplineObstacles, GivenPointsMayTouch) {
     desc.obstacles = obstacles_of(host, scene);
     const MadeSpline made = make_spline(host, desc);
     ASSERT_EQ(made.result, FLG_OK) << made.error;
-    const reference::Approach nearest =
-        closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * 2},
-                         {made.view.parameters, made.view.node_count}, false);
+    const reference::Approach nearest = closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * 2},
+                                                         {made.view.parameters, made.view.node_count}, false);
     EXPECT_GT(nearest.clearance, -0.1 * desc.obstacle_radius * 1.01 * scene.size);
     EXPECT_LT(nearest.clearance, 1e-9);
     EXPECT_EQ(made.node(made.view.point_nodes[1]), (Point{0, 0.5, 0}));

@@ -96,8 +96,8 @@ void add_star_mesh(Draws& draw, Solid& solid, const Vec3& centre) {
     const double radius = draw(0.5, 1.2), waves = draw(0, 0.35), turn = draw(0, 6), stretch = draw(0.5, 1.5);
     const auto add = [&](double up, double angle) {
         const double r = radius * (1 + waves * std::sin(3 * angle + turn) * std::cos(up) * std::cos(up));
-        const Vec3 at = centre + r * Vec3(std::cos(up) * std::cos(angle), std::cos(up) * std::sin(angle),
-                                          stretch * std::sin(up));
+        const Vec3 at =
+            centre + r * Vec3(std::cos(up) * std::cos(angle), std::cos(up) * std::sin(angle), stretch * std::sin(up));
         for (uint32_t c = 0; c < 3; ++c) solid.positions.push_back(static_cast<float>(at[c]));
     };
     add(-0.5 * std::numbers::pi, 0);
@@ -106,7 +106,9 @@ void add_star_mesh(Draws& draw, Solid& solid, const Vec3& centre) {
             add(std::numbers::pi * (static_cast<double>(i) / rings - 0.5), 2 * std::numbers::pi * j / around);
     }
     add(0.5 * std::numbers::pi, 0);
-    const auto at = [](uint32_t i, uint32_t j) { return i == 0 ? 0 : i == rings ? 1 + (rings - 1) * around : 1 + (i - 1) * around + j % around; };
+    const auto at = [](uint32_t i, uint32_t j) {
+        return i == 0 ? 0 : i == rings ? 1 + (rings - 1) * around : 1 + (i - 1) * around + j % around;
+    };
     for (uint32_t i = 0; i < rings; ++i) {
         for (uint32_t j = 0; j < around; ++j) {
             const uint32_t a = at(i, j), b = at(i, j + 1), c = at(i + 1, j + 1), d = at(i + 1, j);
@@ -136,7 +138,8 @@ Solid random_solid(Draws& draw, SceneKind kind, const Vec3& centre) {
     solid.radius = grow * draw(0.15, 0.6);
     using Kind = Solid::Kind;
     const Kind last = kind == SceneKind::plane ? Kind::polygon : Kind::capsule;
-    solid.kind = kind == SceneKind::meshes ? Kind::mesh : static_cast<Kind>(draw.below(static_cast<uint32_t>(last) + 1));
+    solid.kind =
+        kind == SceneKind::meshes ? Kind::mesh : static_cast<Kind>(draw.below(static_cast<uint32_t>(last) + 1));
     solid.to = centre + draw(0.1, 1) * draw.direction(dimension);
     if (solid.kind == Kind::capsule) solid.radius *= 0.5;
     for (double& half : solid.half) half = grow * draw(0.1, 0.6);

@@ -15,13 +15,13 @@ namespace flg::reference {
 // A solid of the plane (z = 0) or of space.
 struct Solid {
     enum class Kind : uint8_t { ball, box, capsule, polygon, mesh } kind = Kind::ball;
-    Vec3 centre;                                 // of balls and boxes; a capsule's end
-    Vec3 to;                                     // a capsule's other end
-    double half[3] = {};                         // a box's
-    Vec3 axes[3];                                // a box's, orthonormal
-    double radius = 0;                           // of balls and capsules
-    std::vector<double> polygon;                 // x and y of each vertex
-    std::vector<float> positions;                // of a closed mesh
+    Vec3 centre;                   // of balls and boxes; a capsule's end
+    Vec3 to;                       // a capsule's other end
+    double half[3] = {};           // a box's
+    Vec3 axes[3];                  // a box's, orthonormal
+    double radius = 0;             // of balls and capsules
+    std::vector<double> polygon;   // x and y of each vertex
+    std::vector<float> positions;  // of a closed mesh
     std::vector<uint32_t> triangles;
 };
 

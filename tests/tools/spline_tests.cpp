@@ -280,7 +280,8 @@ TEST_F(SplineCommand, KeepsOutOfSolidsThatCutASurface) {
         Strings options = {"--obstacles", "ball.json"};
         options.insert(options.end(), more.begin(), more.end());
         double nearest = 1e9;
-        for (const Point& p : curve("square.off", options)) nearest = std::min(nearest, std::hypot(p[0] - 0.5, p[1] - 0.5));
+        for (const Point& p : curve("square.off", options))
+            nearest = std::min(nearest, std::hypot(p[0] - 0.5, p[1] - 0.5));
         EXPECT_GT(nearest, 0.2 - 1e-6);
         EXPECT_LT(nearest, 0.21);
     }

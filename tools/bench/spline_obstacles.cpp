@@ -73,7 +73,10 @@ Outcome run_scene(const ObstacleScene& scene, SceneKind kind, uint64_t seed) {
         reference::closest_approach(scene, {view.nodes, size_t{view.node_count} * scene.dimension},
                                     {view.parameters, size_t{view.node_count}}, false);
     out.penetration = std::max(-approach.clearance, 0.0);
-    if (getenv("V")) printf("%d %lu: %.1f ms, %u nodes %u rounds ending %d clearance %g at node %u solid %u kind %d\n", (int)kind, (unsigned long)seed, out.ms, view.node_count, view.rounds, (int)view.ending, approach.clearance, approach.node, approach.solid, (int)scene.solids[approach.solid].kind);
+    if (getenv("V"))
+        printf("%d %lu: %.1f ms, %u nodes %u rounds ending %d clearance %g at node %u solid %u kind %d\n", (int)kind,
+               (unsigned long)seed, out.ms, view.node_count, view.rounds, (int)view.ending, approach.clearance,
+               approach.node, approach.solid, (int)scene.solids[approach.solid].kind);
     return out;
 }
 

@@ -167,13 +167,13 @@ void run_spline(const Options& options, const CommonOptions& common) {
     if (options.inside || options.layer > 0) border = border_of(manifold, options.layer);
     std::optional<SplineObstacles> obstacles;
     if (among || border)
-        obstacles = read_obstacles(session, options.obstacles, manifold.view.ambient, report, border ? &*border : nullptr);
+        obstacles =
+            read_obstacles(session, options.obstacles, manifold.view.ambient, report, border ? &*border : nullptr);
     std::vector<Made> all;
     uint32_t rounds = 0, nodes = 0, held = 0;
     double energy = 0, residual = 0, offset = 0, length = 0;
     for (uint32_t line = 0; line < lines.count(); ++line) {
-        all.push_back(
-            make_one(session, options, manifold, obstacles ? &*obstacles : nullptr, lines, line, report));
+        all.push_back(make_one(session, options, manifold, obstacles ? &*obstacles : nullptr, lines, line, report));
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
         nodes += view.node_count;
@@ -264,8 +264,7 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
                     "The same by a layer around the mesh, so thick to either side (metres), as in the paper; 0: none")
         ->check(at_least_zero())
         ->capture_default_str();
-    app->add_option("--obstacles", o->obstacles,
-                    "Solids to keep out of (sdk/splines/README.md)")
+    app->add_option("--obstacles", o->obstacles, "Solids to keep out of (sdk/splines/README.md)")
         ->type_name("FILE.json");
     app->add_option("--tolerance", o->tolerance, "Residual at which the optimizer stops")
         ->check(CLI::Range(1e-12, 1.0))

@@ -122,7 +122,8 @@ FlgObstacle border_of(const SplineManifold& manifold, double thickness) {
     border.surface = manifold.mesh->handle();
     if (thickness > 0) {
         border.radius = thickness;
-        border.cells = static_cast<uint32_t>(std::clamp(cells_in_a_layer * manifold.view.size / thickness, 16.0, 192.0));
+        border.cells =
+            static_cast<uint32_t>(std::clamp(cells_in_a_layer * manifold.view.size / thickness, 16.0, 192.0));
     }
     return border;
 }

@@ -10,7 +10,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t look_work = 1;  // of Cost::microseconds
+constexpr uint32_t look_work = 1;      // of Cost::microseconds
 constexpr double min_step = 1.0 / 64;  // of the interval, where it is not clear: to see how deep it goes
 
 }  // namespace

@@ -19,8 +19,8 @@ constexpr uint32_t push_rounds = 16;
 constexpr uint32_t near_cells = 3;   // around a given point nodes are joined to it straight
 constexpr uint32_t look_steps = 64;  // of a look, between two pauses
 constexpr uint32_t tighten_rounds = 16, tries = 6;
-constexpr double min_move = 1e-2;     // of the spacing: rounds end when no vertex moves more
-constexpr uint32_t hop_steps = 1024;  // of a way to a neighbour
+constexpr double min_move = 1e-2;                     // of the spacing: rounds end when no vertex moves more
+constexpr uint32_t hop_steps = 1024;                  // of a way to a neighbour
 constexpr double first_length = 1.06, longer = 1.12;  // of ways that are looked for
 
 double distance(const Obstacle::Place& a, const Obstacle::Place& b) {

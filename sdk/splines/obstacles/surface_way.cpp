@@ -13,17 +13,18 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t first_cells = 32, grids = 3;  // along the surface's size; how often cells are halved
-constexpr double near_middle = 0.87;             // of a cell: so far from its middle the surface may pass
-constexpr double max_hop = 3;                    // cells, between points of neighbours
-constexpr uint32_t max_cells = 200'000;          // that a search looks at
+constexpr uint32_t first_cells = 32, grids = 3;      // along the surface's size; how often cells are halved
+constexpr double near_middle = 0.87;                 // of a cell: so far from its middle the surface may pass
+constexpr double max_hop = 3;                        // cells, between points of neighbours
+constexpr uint32_t max_cells = 200'000;              // that a search looks at
 constexpr uint32_t project_work = 4, look_work = 2;  // of Cost::microseconds
 
 using Cell = std::array<int32_t, 3>;
 
 struct CellHash {
     size_t operator()(const Cell& c) const {
-        return static_cast<size_t>(uint32_t(c[0]) * 73856093u ^ uint32_t(c[1]) * 19349663u ^ uint32_t(c[2]) * 83492791u);
+        return static_cast<size_t>(uint32_t(c[0]) * 73856093u ^ uint32_t(c[1]) * 19349663u ^
+                                   uint32_t(c[2]) * 83492791u);
     }
 };
 
@@ -96,8 +97,8 @@ Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, 
         if (places[here].is_done) continue;
         places[here].is_done = true;
         const Place at = places[here];
-        const bool reaches = (b - at.at).norm() <= max_hop * cell && at.normal.dot(target_normal) > 0 &&
-                             ground.is_clear(at.at, b);
+        const bool reaches =
+            (b - at.at).norm() <= max_hop * cell && at.normal.dot(target_normal) > 0 && ground.is_clear(at.at, b);
         if (reaches) {
             way.push_back(b);
             for (uint32_t p = here; p != UINT32_MAX; p = places[p].from) way.push_back(places[p].at);

@@ -18,9 +18,7 @@ namespace flg {
 struct SweepRange {
     std::array<uint32_t, 3> lower{}, upper{};
 
-    uint32_t size() const {
-        return (upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) * (upper[2] - lower[2] + 1);
-    }
+    uint32_t size() const { return (upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) * (upper[2] - lower[2] + 1); }
     // Number i of them, x fastest.
     std::array<uint32_t, 3> cell(uint32_t i) const {
         const uint32_t x = upper[0] - lower[0] + 1, y = upper[1] - lower[1] + 1;

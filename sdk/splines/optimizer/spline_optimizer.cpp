@@ -485,8 +485,8 @@ void SplineOptimizer::set_step(uint32_t interval) {
                                : std::max(lengths_[segment_], 1e-9 * report_.length);
         span_ += spans_[segment_];
     }
-    moments_.steps()[interval] =
-        problem_.shares.empty() ? spans_[segment_] / intervals_of(segment_) : spans_[segment_] * problem_.shares[interval];
+    moments_.steps()[interval] = problem_.shares.empty() ? spans_[segment_] / intervals_of(segment_)
+                                                         : spans_[segment_] * problem_.shares[interval];
 }
 
 void SplineOptimizer::set_end(bool last, Curve& curve) {

@@ -99,8 +99,8 @@ namespace Filigree
         /// <summary>FLG_SPLINE_ENDING_ROUNDS: max_rounds was reached</summary>
         Rounds = 3,
         /// <summary>
-        /// FLG_SPLINE_ENDING_STALLED: no step lowers the energy: more than a 16th of the nodes and 3 would be held, or
-        /// obstacles block the way. The curve is the best found; see the residual
+        /// FLG_SPLINE_ENDING_STALLED: no step lowers the energy: more than a 16th of the nodes and 3 would be held. The
+        /// curve is the best found; see the residual
         /// </summary>
         Stalled = 4,
     }
