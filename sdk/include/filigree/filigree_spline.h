@@ -338,9 +338,9 @@ typedef struct FlgSplineDesc {
      * The chain and the cubic spline through its nodes keep their clearance everywhere, to 2e-7 of the scene's size:
      * there are more nodes where that needs them. Of meshes that holds for the grid they are known by. The job fails
      * where it can't be had, and says near which obstacle and where. A given point inside an obstacle is refused; one
-     * that touches is not, and beside it the curve may come nearer by a tenth of the barriers' radius. The initial curve
-     * goes around the obstacles; on a surface `sides` has no effect. `start`, `warm_start`, slopes and subdivisions are
-     * ignored; `curve` is refused. Default none */
+     * that touches is not, and beside it the curve may come nearer by a tenth of the barriers' radius. The initial
+     * curve goes around the obstacles; on a surface `sides` has no effect. `start`, `warm_start`, slopes and
+     * subdivisions are ignored; `curve` is refused. Default none */
     FlgObstacles obstacles;
     const FlgObstacleSide* sides; /* how the initial curve passes; default null: the shortest way */
     double obstacle_radius;       /* 1e-5 to 0.1. Default 1e-3 */
@@ -366,7 +366,8 @@ typedef enum FlgSplineEnding {
     FLG_SPLINE_ENDING_ROUNDING = 2,  /* as close as rounding allows: with thousands of nodes between points,
                                         differences cancel */
     FLG_SPLINE_ENDING_ROUNDS = 3,    /* max_rounds was reached */
-    FLG_SPLINE_ENDING_STALLED = 4,   /* no step lowers the energy: more than a 16th of the nodes and 3 would be held. The curve is the best found; see the residual */
+    FLG_SPLINE_ENDING_STALLED = 4,   /* no step lowers the energy: more than a 16th of the nodes and 3 would be held.
+                                        The curve is the best found; see the residual */
     FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnding;
 
