@@ -23,8 +23,8 @@ struct ObstaclePath {
     double spacing = 0;  // of the grid
 };
 
-// points: d numbers each, two points at least, finite. sides: how obstacles have to be passed by all of the path. slack:
-// metres, how much nearer than the clearance given points may be; ways leave it between them.
+// points: d numbers each, two points at least, finite. sides: how obstacles have to be passed by all of the path.
+// slack: metres, by which given points may be nearer than the clearance.
 // Throws a Failure where a point is inside of an obstacle (nearer than the clearance), behind one whose side is given,
 // or in a gap finer than the grid; and where there is no way. Memory: 13 bytes a node of the grid.
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,

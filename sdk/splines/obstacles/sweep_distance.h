@@ -67,8 +67,9 @@ public:
     SweepDistance(const SweepGrid& grid, const uint8_t* flags, Memory* memory)
         : grid_(grid), flags_(flags), values_(grid.size(), memory) {}
 
-    // From these nodes, which are in the range, anew; on ways within the range. About 13 ns a node and sweep in the plane, 19 in space. In free space two rounds of 2^d
-    // sweeps, with obstacles a round more for each time that a shortest way turns.
+    // From these nodes, which are in the range, anew; on ways within the range. About 13 ns a node and sweep in the
+    // plane, 19 in space. In free space two rounds of 2^d sweeps, with obstacles a round more for each time that a
+    // shortest way turns.
     static Task<void> solve(Pace& pace, SweepDistance& of, SweepRange range, std::span<const Seed> seeds);
     // After that; infinite where nothing leads.
     double operator[](uint32_t node) const { return values_[node]; }
