@@ -77,14 +77,14 @@ Task<void> find_beginning(Pace& pace, const SplineRequest& request, const Obstac
                           GivenPoints given, FirstCurve& first) {
     const ManifoldProduct& held = *request.out->manifold;
     if (held.kind != ManifoldKind::space) {
-        for (uint32_t i = 0; i < given.count(3); ++i) {
+        co_await each(pace, given.count(3), Cost::microseconds, [&](uint32_t i) {
             uint32_t which = 0;
             const double away = request.placed->set().distance(&given.values[size_t{3} * i], &which);
-            if (away >= -allowance * held.manifold->size()) continue;
+            if (away >= -allowance * held.manifold->size()) return;
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "desc.points: point %u is %g inside of obstacle %u, or nearer than the clearance", i, -away,
                           which);
-        }
+        });
         co_await find_first_curve(pace, held, given, first);
         co_await lead_around(pace, static_cast<const Hypersurface&>(*held.manifold), wider, least_way * margin, given,
                              first);
@@ -154,9 +154,9 @@ Task<void> place_around(Pace& pace, const ObstacleSet& set, const FirstCurve& fi
                 Obstacle::Place a{}, b{};
                 line.place(begin, a.data());
                 line.place(begin + width, b.data());
-                const bool is_clear = level == max_halvings || set.clear(a.data(), b.data(), margin);
-                co_await pace;
-                if (!is_clear) {
+                bool clear = level == max_halvings;
+                if (!clear) clear = co_await is_clear(pace, set, a, b, margin);
+                if (!clear) {
                     ++level;
                     part *= 2;
                     continue;
@@ -305,19 +305,21 @@ struct Margins {
 };
 
 // Beside given points that are nearer than the nodes' margin the curve may come nearer by that.
-void set_leave(const ObstacleSet& set, const Chain& chain, const Margins& scene, bool closed, Leave& out) {
+Task<void> set_leave(Pace& pace, const ObstacleSet& set, const Chain& chain, const Margins& scene, bool closed,
+                     Leave& out) {
     const uint32_t d = set.dimension();
     const size_t intervals = chain.shares.size();
     out.spare.assign(intervals, spare_share * scene.margin);
     out.allowed.assign(intervals, scene.slack);
-    for (const uint32_t node : chain.knots) {
-        if (set.distance(&chain.points[size_t{node} * d]) >= scene.margin) continue;
+    co_await each(pace, chain.knots.size(), Cost::microseconds, [&](uint32_t k) {
+        const size_t node = chain.knots[k];
+        if (set.distance(&chain.points[node * d]) >= scene.margin) return;
         for (size_t beside = 0; beside < 4; ++beside) {
             const size_t interval = node + intervals + beside - 2;
             if (closed || (interval >= intervals && interval < 2 * intervals))
                 out.allowed[interval % intervals] = scene.margin;
         }
-    }
+    });
 }
 
 // On barriers whose radius shrinks to the last one.
@@ -347,7 +349,7 @@ Task<void> settle(Pace& pace, const ObstacleSet& set, const Margins& scene, Obst
         co_await lift_chain(pace, barrier, chain, problem);
         SplineOptimizer optimizer(problem, pace.memory());
         co_await minimize_on(pace, barrier, optimizer, out, chain);
-        set_leave(set, chain, scene, problem.closed, leave);
+        co_await set_leave(pace, set, chain, scene, problem.closed, leave);
         trespasses.clear();
         co_await examine(pace, set, optimizer, problem, chain, leave, trespasses);
         if (trespasses.empty()) co_return co_await keep_chain(pace, optimizer, chain, out);

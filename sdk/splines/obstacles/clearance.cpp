@@ -11,6 +11,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t look_work = 1;      // of Cost::microseconds
+constexpr uint32_t look_steps = 64;    // of a way, between two pauses
 constexpr double min_step = 1.0 / 64;  // of the interval, where it is not clear: to see how deep it goes
 
 }  // namespace
@@ -46,6 +47,14 @@ Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces
             t = std::min(t + (lacking > 0 ? min_step : step), 1.0);
         }
         if (worst.depth > 0) out.push_back(worst);
+    }
+}
+
+Task<bool> is_clear(Pace& pace, const ObstacleSet& obstacles, Obstacle::Place a, Obstacle::Place b, double margin) {
+    for (double done = 0;;) {
+        const ObstacleSet::Way way = obstacles.follow(a.data(), b.data(), margin, look_steps, &done);
+        co_await pace;
+        if (way != ObstacleSet::Way::unfinished) co_return way == ObstacleSet::Way::clear;
     }
 }
 

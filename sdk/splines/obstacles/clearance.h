@@ -37,4 +37,7 @@ struct CurvePieces {
 Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve,
                            std::pmr::vector<Trespass>& out);
 
+// Whether the straight way from a to b (d numbers each) stays clear by `margin` metres > 0 (ObstacleSet::follow).
+Task<bool> is_clear(Pace& pace, const ObstacleSet& obstacles, Obstacle::Place a, Obstacle::Place b, double margin);
+
 }  // namespace flg

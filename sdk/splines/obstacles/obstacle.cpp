@@ -122,14 +122,6 @@ ObstacleSet::Way ObstacleSet::follow(const double* a, const double* b, double ma
     return Way::unfinished;
 }
 
-bool ObstacleSet::clear(const double* a, const double* b, double margin) const {
-    double done = 0;
-    for (;;) {
-        const Way way = follow(a, b, margin, UINT32_MAX, &done);
-        if (way != Way::unfinished) return way == Way::clear;
-    }
-}
-
 // In steps to where it may get so deep, looks of a sixty-fourth of the way at least, but no longer than what is so deep
 // is wide.
 bool ObstacleSet::pierces(uint32_t i, const double* a, const double* b) const {

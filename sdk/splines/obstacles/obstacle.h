@@ -118,8 +118,6 @@ public:
     // so many steps and, if these did not do, goes on from `done` (0 at first, a length) when called again.
     enum class Way { clear, blocked, unfinished };
     Way follow(const double* a, const double* b, double margin, uint32_t steps, double* done) const;
-    // In one go.
-    bool clear(const double* a, const double* b, double margin) const;
 
     // Whether a curve's straight piece from a to b may become that from c to e, as far as one step tells, without a
     // change of sides: in the plane, what the piece sweeps over has no core in it; in space, its ends do not go through

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/obstacles/clearance.h"
 
 namespace flg {
 
@@ -77,11 +78,7 @@ struct Scene {
 
 Task<bool> sees(Pace& pace, const Scene& scene, const ObstacleGrid& grid, Place a, Place b) {
     if (!grid.on_side(a.data(), b.data())) co_return false;
-    for (double done = 0;;) {
-        const ObstacleSet::Way way = scene.obstacles.follow(a.data(), b.data(), grid.way_margin(), look_steps, &done);
-        co_await pace;
-        if (way != ObstacleSet::Way::unfinished) co_return way == ObstacleSet::Way::clear;
-    }
+    co_return co_await is_clear(pace, scene.obstacles, a, b, grid.way_margin());
 }
 
 // Node `number` of those around a place, 7^d. No node, the grid's size, if it is not free or not joined straight.

@@ -8,16 +8,17 @@
 
 #include "core/failure.h"
 #include "core/vec.h"
+#include "splines/obstacles/clearance.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t first_cells = 32, grids = 3;      // along the surface's size; how often cells are halved
-constexpr double near_middle = 0.87;                 // of a cell: so far from its middle the surface may pass
-constexpr double max_hop = 3;                        // cells, between points of neighbours
-constexpr uint32_t max_cells = 200'000;              // that a search looks at
-constexpr uint32_t project_work = 4, look_work = 2;  // of Cost::microseconds
+constexpr uint32_t first_cells = 32, grids = 3;  // along the surface's size; how often cells are halved
+constexpr double near_middle = 0.87;             // of a cell: so far from its middle the surface may pass
+constexpr double max_hop = 3;                    // cells, between points of neighbours
+constexpr uint32_t max_cells = 200'000;          // that a search looks at
+constexpr uint32_t project_work = 4;             // of Cost::microseconds
 
 using Cell = std::array<int32_t, 3>;
 
@@ -51,11 +52,12 @@ public:
         return true;
     }
     // Of a chord from a given point that is nearer to an obstacle than that, the other half.
-    bool is_clear(const Vec3& a, const Vec3& b) const {
+    static Task<bool> is_clear(Pace& pace, const Ground& of, Vec3 a, Vec3 b) {
         const Vec3 middle = 0.5 * (a + b);
-        const Vec3 begin = obstacles_.distance(a.data()) < margin_ ? middle : a,
-                   end = obstacles_.distance(b.data()) < margin_ ? middle : b;
-        return obstacles_.clear(begin.data(), end.data(), margin_);
+        const Vec3 begin = of.obstacles_.distance(a.data()) < of.margin_ ? middle : a,
+                   end = of.obstacles_.distance(b.data()) < of.margin_ ? middle : b;
+        return flg::is_clear(pace, of.obstacles_, {begin.x(), begin.y(), begin.z()}, {end.x(), end.y(), end.z()},
+                             of.margin_);
     }
 
 private:
@@ -97,8 +99,8 @@ Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, 
         if (places[here].is_done) continue;
         places[here].is_done = true;
         const Place at = places[here];
-        const bool reaches =
-            (b - at.at).norm() <= max_hop * cell && at.normal.dot(target_normal) > 0 && ground.is_clear(at.at, b);
+        bool reaches = (b - at.at).norm() <= max_hop * cell && at.normal.dot(target_normal) > 0;
+        if (reaches) reaches = co_await Ground::is_clear(pace, ground, at.at, b);
         if (reaches) {
             way.push_back(b);
             for (uint32_t p = here; p != UINT32_MAX; p = places[p].from) way.push_back(places[p].at);
@@ -115,21 +117,20 @@ Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, 
                 Vec3 point = middle;
                 const bool is_passed = ground.project(point, normal) && (point - middle).norm() <= near_middle * cell;
                 if (slice.is_over(project_work)) co_await pace;
-                const auto number = is_passed ? static_cast<uint32_t>(places.size()) : UINT32_MAX;
-                found = of_cell.emplace(next, number).first;
+                found = of_cell.emplace(next, is_passed ? static_cast<uint32_t>(places.size()) : UINT32_MAX).first;
                 if (is_passed) places.push_back({point, normal, next, HUGE_VAL, UINT32_MAX, false});
             }
             if (found->second == UINT32_MAX) continue;
-            Place& other = places[found->second];
-            const double hop = (other.at - at.at).norm();
-            if (other.is_done || at.passed + hop >= other.passed || hop > max_hop * cell) continue;
-            if (at.normal.dot(other.normal) <= 0) continue;
-            if (slice.is_over(look_work)) co_await pace;
-            Place& reached = places[found->second];
-            if (!ground.is_clear(at.at, reached.at)) continue;
+            const uint32_t number = found->second;
+            Place& reached = places[number];
+            const double hop = (reached.at - at.at).norm();
+            if (reached.is_done || at.passed + hop >= reached.passed || hop > max_hop * cell) continue;
+            if (at.normal.dot(reached.normal) <= 0) continue;
+            const bool clear = co_await Ground::is_clear(pace, ground, at.at, reached.at);
+            if (!clear) continue;
             reached.passed = at.passed + hop;
             reached.from = here;
-            open.push({reached.passed + (b - reached.at).norm(), found->second});
+            open.push({reached.passed + (b - reached.at).norm(), number});
         }
     }
     co_return way;
@@ -144,8 +145,9 @@ Task<std::pmr::vector<Vec3>> straight_way(Pace& pace, Ground& ground, Vec3 a, Ve
     Slice slice(Cost::microseconds);
     for (uint32_t s = 1; s <= steps; ++s) {
         Vec3 at = a + (b - a) * (static_cast<double>(s) / steps);
-        const bool is_on = s == steps || ground.project(at, normal);
-        if (!is_on || (at - last).norm() > max_hop * cell || !ground.is_clear(last, at)) {
+        bool goes = (s == steps || ground.project(at, normal)) && (at - last).norm() <= max_hop * cell;
+        if (goes) goes = co_await Ground::is_clear(pace, ground, last, at);
+        if (!goes) {
             way.clear();
             co_return way;
         }
@@ -182,11 +184,12 @@ Task<std::pmr::vector<Vec3>> pull(Pace& pace, Ground& ground, const std::pmr::ve
 }
 
 // Whether a segment's chords are.
-Task<bool> is_clear(Pace& pace, const Ground& ground, const FirstCurve& first, uint32_t begin, uint32_t end) {
+Task<bool> is_free(Pace& pace, const Ground& ground, const FirstCurve& first, uint32_t begin, uint32_t end) {
     bool clear = true;
-    co_await each(pace, begin, end - 1, Cost::microseconds, [&](uint32_t p) {
-        clear = clear && ground.is_clear(Vec3(&first.points[size_t{3} * p]), Vec3(&first.points[size_t{3} * p + 3]));
-    });
+    for (uint32_t p = begin; clear && p + 1 < end; ++p) {
+        const double* const a = &first.points[size_t{3} * p];
+        clear = co_await Ground::is_clear(pace, ground, Vec3(a), Vec3(a + 3));
+    }
     co_return clear;
 }
 
@@ -199,7 +202,7 @@ Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSe
     uint32_t begin = 0;
     for (uint32_t s = 0; s < first.ends.size(); ++s) {
         const uint32_t end = first.ends[s];
-        const bool clear = co_await is_clear(pace, ground, first, begin, end);
+        const bool clear = co_await is_free(pace, ground, first, begin, end);
         std::pmr::vector<Vec3> way(pace.memory());
         const Vec3 a(&first.points[size_t{3} * begin]), b(&first.points[size_t{3} * end - 3]);
         double cell = surface.size() / first_cells;
