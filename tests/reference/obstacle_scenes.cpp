@@ -174,23 +174,6 @@ Eigen::MatrixXd moments(std::span<const double> nodes, std::span<const double> p
 
 }  // namespace
 
-FlgObstacle described(const Solid& solid, uint32_t dimension) {
-    FlgObstacle out = flgObstacleDefaults();
-    constexpr FlgObstacleKind kinds[] = {FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_BOX, FLG_OBSTACLE_KIND_CAPSULE,
-                                         FLG_OBSTACLE_KIND_POLYGON, FLG_OBSTACLE_KIND_MESH};
-    out.kind = kinds[static_cast<uint32_t>(solid.kind)];
-    out.radius = solid.radius;
-    out.points = solid.polygon.data();
-    out.point_count = static_cast<uint32_t>(solid.polygon.size() / 2);
-    for (uint32_t c = 0; c < 3; ++c) {
-        out.centre[c] = solid.centre[c];
-        out.to[c] = solid.to[c];
-        out.half[c] = solid.half[c];
-        for (uint32_t i = 0; i < dimension && c < dimension; ++i) out.axes[i * 3 + c] = solid.axes[i][c];
-    }
-    return out;
-}
-
 double exact_distance(const Solid& solid, uint32_t dimension, const Vec3& place) {
     switch (solid.kind) {
         case Solid::Kind::ball: return (place - solid.centre).norm() - solid.radius;
