@@ -9,8 +9,8 @@
 #include "splines/obstacles/clearance.h"
 #include "splines/obstacles/obstacle_path.h"
 #include "splines/obstacles/surface_barrier.h"
-#include "splines/obstacles/surface_way.h"
 #include "splines/spline.h"
+#include "splines/surface_way.h"
 
 namespace flg {
 

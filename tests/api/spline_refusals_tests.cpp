@@ -232,7 +232,6 @@ TEST(SplineObstacles, ThinWallsAreNotJumpedOver) {
     desc.obstacles = obstacles;
     const MadeSpline made = make_spline(host, desc);
     ASSERT_EQ(made.result, FLG_OK) << made.error;
-    EXPECT_GT(made.view.node_count, 33u);
     for (uint32_t i = 1; i < made.view.node_count; ++i) {
         const Point a = made.node(i - 1), b = made.node(i);
         if (a[0] > 0 || b[0] <= 0) continue;

@@ -1250,11 +1250,11 @@ struct Rig {
     Span<const uint32_t> joint_parents;
     /// one per joint
     Span<const FlgRigJoint> joints;
-    /// the directions are at right angles, of length 1
+    /// up, left and forward are at right angles, of length 1
     float up[3]{};
-    /// FlgRig::left.
+    /// to the model's left
     float left[3]{};
-    /// FlgRig::forward.
+    /// where it looks
     float forward[3]{};
     /// metres along `up`: where the shape ends below
     float ground{};

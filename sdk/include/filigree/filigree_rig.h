@@ -51,7 +51,7 @@ typedef struct FlgRigJoint {
     /* A capsule around the bone, within the hull of the balls at both ends. Its radius is the smaller ball's, but at
      * least half the larger one's: then it ends where the body is as thin. */
     float capsule_start[3]; /* metres, as the joint's position at rest */
-    float capsule_end[3];
+    float capsule_end[3];   /* metres, likewise */
     float capsule_radius;   /* metres; 0: a tip has no bone */
     /* A rotation is within the limits if it is a twist about `limit_axis`, then a swing of the axis. A hinge twists
      * about its own axis and does not swing; others twist about their bone. At rest a joint is not turned. */
@@ -82,9 +82,9 @@ typedef struct FlgRig {
     const float* joint_positions;  /* the descriptor's */
     const uint32_t* joint_parents; /* the descriptor's */
     const FlgRigJoint* joints;     /* one per joint */
-    float up[3];                   /* the directions are at right angles, of length 1 */
-    float left[3];
-    float forward[3];
+    float up[3];                   /* up, left and forward are at right angles, of length 1 */
+    float left[3];                 /* to the model's left */
+    float forward[3];              /* where it looks */
     float ground;                  /* metres along `up`: where the shape ends below */
     uint32_t leg_count;
     uint32_t arm_count;            /* 0 or 2 */

@@ -10,8 +10,8 @@ namespace flg {
 
 namespace {
 
-constexpr double deep = 0.5;  // of the core's depth
-constexpr uint32_t max_looks = 64, most_looks = 4096;
+constexpr double deep = 0.5;                          // of the core's depth
+constexpr uint32_t max_looks = 64, most_looks = 512;  // the latter along a hair, which is grazed then
 
 // How often the way from a to b turns around p, beside what its ends and others' cancel: its crossings of the ray from
 // p along x.
@@ -135,8 +135,9 @@ bool ObstacleSet::pierces(uint32_t i, const double* a, const double* b) const {
     const double length = std::sqrt(square);
     if (obstacles_[i]->bounded() && at_least(i, at.data()) + clearance_ > 0.5 * length) return false;
     if (obstacles_[i]->evaluate(at.data(), nullptr, nullptr) + depth > 0.5 * length) return false;
-    const double least = std::max(std::min(length / max_looks, depth), length / most_looks);
-    for (double done = 0; done <= length;) {
+    const double least = std::min(length / max_looks, depth);
+    double done = 0;
+    for (uint32_t look = 0; look < most_looks && done <= length; ++look) {
         const double t = length > 0 ? done / length : 0;
         for (uint32_t k = 0; k < dimension_; ++k) at[k] = a[k] + t * (b[k] - a[k]);
         const double above = obstacles_[i]->evaluate(at.data(), nullptr, nullptr) + depth;

@@ -20,6 +20,7 @@ namespace Filigree
         public uint next;
         /// <summary>metres, as the joint's position at rest</summary>
         public fixed float capsule_start[3];
+        /// <summary>metres, likewise</summary>
         public fixed float capsule_end[3];
         /// <summary>metres; 0: a tip has no bone</summary>
         public float capsule_radius;
@@ -65,9 +66,11 @@ namespace Filigree
         public uint* joint_parents;
         /// <summary>one per joint</summary>
         public FlgRigJoint* joints;
-        /// <summary>the directions are at right angles, of length 1</summary>
+        /// <summary>up, left and forward are at right angles, of length 1</summary>
         public fixed float up[3];
+        /// <summary>to the model's left</summary>
         public fixed float left[3];
+        /// <summary>where it looks</summary>
         public fixed float forward[3];
         /// <summary>metres along `up`: where the shape ends below</summary>
         public float ground;

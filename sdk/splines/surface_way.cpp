@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "splines/obstacles/surface_way.h"
+#include "splines/surface_way.h"
 
 #include <algorithm>
 #include <cmath>
