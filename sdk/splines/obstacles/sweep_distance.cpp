@@ -26,9 +26,15 @@ std::array<uint32_t, 3> SweepGrid::nearest(const double* x) const {
 Task<void> SweepDistance::solve(Pace& pace, SweepDistance& of, SweepRange range, std::span<const Seed> seeds) {
     double* const values = of.values_.data();
     const SweepGrid& grid = of.grid_;
-    co_await each(pace, grid.size(), Cost::some_ns, [values](uint32_t node) { values[node] = infinite; });
-    co_await each(pace, seeds.size(), Cost::some_ns, [values, seeds](uint32_t i) {
-        values[seeds[i].node] = std::min(values[seeds[i].node], seeds[i].value);
+    uint8_t* const is_due = of.is_due_.data();
+    co_await each(pace, grid.size(), Cost::some_ns, [values, is_due](uint32_t node) {
+        values[node] = infinite;
+        is_due[node] = 0;
+    });
+    co_await each(pace, seeds.size(), Cost::some_ns, [&of, values, seeds](uint32_t i) {
+        const uint32_t node = seeds[i].node;
+        values[node] = std::min(values[node], seeds[i].value);
+        of.call_neighbours(node, of.grid_.cell(node));
     });
     // The order of a sweep, bit k: backwards along axis k. Ends when a sweep in each order has changed nothing.
     const uint32_t orders = 1u << grid.dimension;
@@ -37,13 +43,16 @@ Task<void> SweepDistance::solve(Pace& pace, SweepDistance& of, SweepRange range,
         bool changed = false;
         std::array<uint32_t, 3> cell;
         for (uint32_t k = 0; k < 3; ++k) cell[k] = (order >> k & 1) != 0 ? range.upper[k] : range.lower[k];
-        co_await each(pace, range.size(), Cost::tens_of_ns, [&, values, order, change](uint32_t) {
+        co_await each(pace, range.size(), Cost::tens_of_ns, [&, values, is_due, order, change](uint32_t) {
             const uint32_t node = grid.node(cell);
-            if ((of.flags_[node] & unused) == 0) {
+            if (is_due[node] != 0 && (of.flags_[node] & unused) == 0) {
+                is_due[node] = 0;
                 const double value = of.updated(node, cell[0], cell[1], cell[2]);
                 if (value < values[node]) {
-                    changed = changed || values[node] - value > change;
+                    const bool matters = values[node] - value > change;
+                    changed = changed || matters;
                     values[node] = value;
+                    if (matters) of.call_neighbours(node, cell);
                 }
             }
             for (uint32_t axis = 0; axis < 3; ++axis) {
@@ -56,6 +65,14 @@ Task<void> SweepDistance::solve(Pace& pace, SweepDistance& of, SweepRange range,
             }
         });
         idle = changed ? 0 : idle + 1;
+    }
+}
+
+void SweepDistance::call_neighbours(uint32_t node, const std::array<uint32_t, 3>& cell) {
+    for (uint32_t k = 0; k < grid_.dimension; ++k) {
+        const uint32_t stride = grid_.stride(k);
+        if (cell[k] > 0 && values_[node - stride] > values_[node]) is_due_[node - stride] = 1;
+        if (cell[k] + 1 < grid_.counts[k] && values_[node + stride] > values_[node]) is_due_[node + stride] = 1;
     }
 }
 
