@@ -69,8 +69,8 @@ public:
         : grid_(grid), flags_(flags), values_(grid.size(), memory), is_due_(grid.size(), memory) {}
 
     // From these nodes, which are in the range, anew; on ways within the range. About 13 ns a node and sweep in the
-    // plane, 19 in space, 3 where nothing is to be done. In free space two rounds of 2^d sweeps, with obstacles a round more for each time that a
-    // shortest way turns.
+    // plane, 19 in space, 3 where nothing is to be done. In free space two rounds of 2^d sweeps, with obstacles a round
+    // more for each time that a shortest way turns.
     static Task<void> solve(Pace& pace, SweepDistance& of, SweepRange range, std::span<const Seed> seeds);
     // After that; infinite where nothing leads.
     double operator[](uint32_t node) const { return values_[node]; }
