@@ -51,13 +51,6 @@ constexpr std::array<Names, 3> standards = {{
      5},
 }};
 
-template <class... Values>
-[[noreturn]] void refuse(const char* reason, Values... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, reason, values...);
-    throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no humanoid: %s", text);
-}
-
 struct Limb {
     uint32_t first, upper, middle, end;
 };
@@ -68,8 +61,9 @@ Limb find_limb(const Rig& rig, FlgLimb limb, int32_t side) {
     const Limb found{first, rig.find(first, FLG_LIMB_PLACE_UPPER), rig.find(first, FLG_LIMB_PLACE_MIDDLE),
                      rig.find(first, FLG_LIMB_PLACE_END)};
     if (found.upper == none || found.middle == none || found.end == none)
-        refuse("its %s %s does not bend: it needs three joints; a finer skeleton has more", side > 0 ? "left" : "right",
-               name);
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "no humanoid: its %s %s does not bend: it needs three joints; a finer skeleton has more",
+                      side > 0 ? "left" : "right", name);
     return found;
 }
 
@@ -88,18 +82,23 @@ void name_side(const Rig& rig, const Limb& arm, const Limb& leg, const SideNames
 
 void name_humanoid(const Rig& rig, FlgRigStandard standard, const char** names) {
     const Names& as = standards[static_cast<size_t>(standard)];
-    if (rig.view.leg_count == 0) refuse("it has no legs");
-    if (rig.view.leg_count != 2) refuse("it has %u leg%s", rig.view.leg_count, rig.view.leg_count == 1 ? "" : "s");
+    if (rig.view.leg_count == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no humanoid: it has no legs");
+    if (rig.view.leg_count != 2)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no humanoid: it has %u leg%s", rig.view.leg_count,
+                      rig.view.leg_count == 1 ? "" : "s");
     if (rig.first(FLG_LIMB_LEG, 1) == none || rig.first(FLG_LIMB_LEG, -1) == none)
-        refuse("its legs do not stand side by side");
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no humanoid: its legs do not stand side by side");
     const Limb left_leg = find_limb(rig, FLG_LIMB_LEG, 1), right_leg = find_limb(rig, FLG_LIMB_LEG, -1);
-    if (rig.first(FLG_LIMB_ARM, 1) == none || rig.first(FLG_LIMB_ARM, -1) == none) refuse("it has no pair of arms");
+    if (rig.first(FLG_LIMB_ARM, 1) == none || rig.first(FLG_LIMB_ARM, -1) == none)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no humanoid: it has no pair of arms");
     const Limb left_arm = find_limb(rig, FLG_LIMB_ARM, 1), right_arm = find_limb(rig, FLG_LIMB_ARM, -1);
     const uint32_t neck = rig.first(FLG_LIMB_NECK, 0), head = rig.first(FLG_LIMB_HEAD, 0);
-    if (head == none) refuse("it has no head");
+    if (head == none) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no humanoid: it has no head");
     const uint32_t chest = rig.meet(left_arm.first, right_arm.first);
     const uint32_t hips = rig.meet(rig.meet(rig.meet(left_leg.first, right_leg.first), chest), head);
-    if (hips == chest) refuse("its spine has no joint between hips and arms; a finer skeleton has more");
+    if (hips == chest)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "no humanoid: its spine has no joint between hips and arms; a finer skeleton has more");
 
     std::fill_n(names, rig.count(), nullptr);
     uint32_t spine = 0;

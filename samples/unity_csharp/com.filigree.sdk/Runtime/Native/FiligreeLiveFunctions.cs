@@ -40,7 +40,7 @@
 //                  the curve bends within a step of that style; and a driven temperature counts a step earlier there. A
 //                  choice holds for at least a 16th of a blend, even if the hand changes its mind sooner. k styles
 //                  share the 1,024 points of a push (see Delivery). Cost: some 35 ns a point for each style; a sample
-//                  of 60 points takes under 8 us with 2 styles, under 21 us with 8.
+//                  of 60 points takes some 8 us with 2 styles, some 21 us with 8.
 // Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
 //                  by that attribute relative to its mean over the style, and by what drives the radius.
 // Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
