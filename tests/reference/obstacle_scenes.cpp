@@ -73,9 +73,15 @@ struct Draws {
     uint64_t next = 0;
     double operator()(double from, double to) { return from + (to - from) * random_unit(seed, 0, next++); }
     uint32_t below(uint32_t count) { return random_below(seed, 1, next++, count); }
+    // Coordinates from -half to half, one after the other.
+    Vec3 place(uint32_t dimension, double half) {
+        Vec3 v(0, 0, 0);
+        for (uint32_t c = 0; c < dimension; ++c) v[c] = (*this)(-half, half);
+        return v;
+    }
     Vec3 direction(uint32_t dimension) {
         for (;;) {
-            const Vec3 v((*this)(-1, 1), (*this)(-1, 1), dimension == 3 ? (*this)(-1, 1) : 0);
+            const Vec3 v = place(dimension, 1);
             if (v.norm() > 0.1 && v.norm() < 1) return v.normalized();
         }
     }
@@ -92,7 +98,7 @@ void add_star_polygon(Draws& draw, Solid& solid, const Vec3& centre) {
 
 // A ball with waves, seen from its middle everywhere.
 void add_star_mesh(Draws& draw, Solid& solid, const Vec3& centre) {
-    constexpr uint32_t around = 24, rings = 12;
+    constexpr uint32_t around = 16, rings = 8;
     const double radius = draw(0.5, 1.2), waves = draw(0, 0.35), turn = draw(0, 6), stretch = draw(0.5, 1.5);
     const auto add = [&](double up, double angle) {
         const double r = radius * (1 + waves * std::sin(3 * angle + turn) * std::cos(up) * std::cos(up));
@@ -140,7 +146,8 @@ Solid random_solid(Draws& draw, SceneKind kind, const Vec3& centre) {
     const Kind last = kind == SceneKind::plane ? Kind::polygon : Kind::capsule;
     solid.kind =
         kind == SceneKind::meshes ? Kind::mesh : static_cast<Kind>(draw.below(static_cast<uint32_t>(last) + 1));
-    solid.to = centre + draw(0.1, 1) * draw.direction(dimension);
+    const double length = draw(0.1, 1);
+    solid.to = centre + length * draw.direction(dimension);
     if (solid.kind == Kind::capsule) solid.radius *= 0.5;
     for (double& half : solid.half) half = grow * draw(0.1, 0.6);
     const Vec3 first = draw.direction(dimension);
@@ -188,11 +195,11 @@ ObstacleScene obstacle_scene(uint64_t seed, SceneKind kind) {
     Draws draw{.seed = mix64(seed) + static_cast<uint64_t>(kind)};
     ObstacleScene scene;
     scene.dimension = kind == SceneKind::plane ? 2 : 3;
-    scene.clearance = draw.below(2) * draw(0.01, 0.05);
+    scene.clearance = draw(0.01, 0.05);
+    if (draw.below(2) == 0) scene.clearance = 0;
     const auto place = [&] {
         if (kind == SceneKind::sphere) return Vec3(sphere_radius * draw.direction(3));
-        const double half = 0.5 * scene.size;
-        return Vec3(draw(-half, half), draw(-half, half), kind == SceneKind::plane ? 0 : draw(-half, half));
+        return draw.place(scene.dimension, 0.5 * scene.size);
     };
     const uint32_t count = kind == SceneKind::meshes ? 2 + draw.below(4) : 3 + draw.below(12);
     for (uint32_t i = 0; i < count; ++i) scene.solids.push_back(random_solid(draw, kind, 0.8 * place()));
