@@ -3,7 +3,6 @@
 // everywhere, and what that costs.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "bench/splines.h"
 #include "reference/obstacle_scenes.h"
@@ -36,7 +35,7 @@ struct Outcome {
     bool refused;
 };
 
-Outcome run_scene(const ObstacleScene& scene, SceneKind kind, uint64_t seed) {
+Outcome run_scene(const ObstacleScene& scene, SceneKind kind) {
     Host host;
     std::vector<FlgObstacle> solids;
     for (const Solid& solid : scene.solids) solids.push_back(obstacle(host, scene, solid));
@@ -65,7 +64,6 @@ Outcome run_scene(const ObstacleScene& scene, SceneKind kind, uint64_t seed) {
     FlgSplineView view = flgSplineViewDefaults();
     const FlgResult result = flgSplineGetView(host.context(), spline, &view);
     if (result != FLG_OK) {
-        if (getenv("V")) printf("%d %lu: %.1f ms: %s\n", (int)kind, (unsigned long)seed, out.ms, flgErrorGetMessage());
         out.refused = true;
         return out;
     }
@@ -73,10 +71,6 @@ Outcome run_scene(const ObstacleScene& scene, SceneKind kind, uint64_t seed) {
         reference::closest_approach(scene, {view.nodes, size_t{view.node_count} * scene.dimension},
                                     {view.parameters, size_t{view.node_count}}, false);
     out.penetration = std::max(-approach.clearance, 0.0);
-    if (getenv("V"))
-        printf("%d %lu: %.1f ms, %u nodes %u rounds ending %d clearance %g at node %u solid %u kind %d\n", (int)kind,
-               (unsigned long)seed, out.ms, view.node_count, view.rounds, (int)view.ending, approach.clearance,
-               approach.node, approach.solid, (int)scene.solids[approach.solid].kind);
     return out;
 }
 
@@ -86,7 +80,7 @@ std::vector<Row> scene_rows(const std::string& name, SceneKind kind, uint32_t sc
     double worst = 0;
     for (uint64_t seed = 0; seed < scenes; ++seed) {
         const ObstacleScene scene = reference::obstacle_scene(seed, kind);
-        const Outcome outcome = run_scene(scene, kind, seed);
+        const Outcome outcome = run_scene(scene, kind);
         times.push_back(outcome.ms);
         penetrating += outcome.penetration > kPenetration * scene.size ? 1 : 0;
         refused += outcome.refused ? 1 : 0;
