@@ -217,8 +217,8 @@ Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSe
         }
         const uint32_t skipped = s == 0 ? 0 : 1;
         if (clear) {
-            around.points.insert(around.points.end(), first.points.begin() + size_t{3} * (begin + skipped),
-                                 first.points.begin() + size_t{3} * end);
+            const double* const points = first.points.data();
+            around.points.insert(around.points.end(), points + size_t{3} * (begin + skipped), points + size_t{3} * end);
         } else {
             for (size_t p = skipped; p < way.size(); ++p)
                 around.points.insert(around.points.end(), way[p].data(), way[p].data() + 3);
