@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Splines of R^d among obstacles (Hofer, Pottmann 2004, sec. 5): minimizers on barriers around them whose radius
-// shrinks.
+// Splines among obstacles, in R^d or on a surface (Hofer, Pottmann 2004, sec. 5): minimizers on barriers around them
+// whose radius shrinks.
+//
+// Invariants: the chain and the cubic spline through it keep their clearance everywhere (clearance.h); given points
+// stay where they are, to the bit.
+// Departures from the paper, which looks at nodes alone: nodes keep a margin more than the clearance, intervals that
+// are not clear get more nodes, and the job fails where that does not do.
 #include <algorithm>
 #include <cmath>
 
@@ -100,6 +105,11 @@ Task<void> find_beginning(Pace& pace, const SplineRequest& request, const Obstac
 struct Chain {
     explicit Chain(Memory* memory) : points(memory), knots(memory), shares(memory) {}
 
+    void reserve(size_t nodes, uint32_t d) {
+        points.reserve(nodes * d);
+        shares.reserve(nodes);
+    }
+
     std::pmr::vector<double> points;
     std::pmr::vector<uint32_t> knots;  // the nodes of given points
     std::pmr::vector<double> shares;   // of each interval, of its segment's parameters
@@ -142,6 +152,7 @@ Task<void> place_around(Pace& pace, const ObstacleSet& set, const FirstCurve& fi
                         double margin, Chain& out) {
     const uint32_t d = set.dimension(), segments = static_cast<uint32_t>(first.ends.size()),
                    nodes = static_cast<uint32_t>(problem.points.size() / d);
+    out.reserve(2 * size_t{nodes}, d);
     for (uint32_t s = 0; s < segments; ++s) {
         const Polyline line(first, s, d, pace.memory());
         const uint32_t intervals = (s + 1 < problem.knots.size() ? problem.knots[s + 1] : nodes) - problem.knots[s];
@@ -178,8 +189,10 @@ Task<void> place_around(Pace& pace, const ObstacleSet& set, const FirstCurve& fi
 Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint32_t d, bool closed, double margin,
                   Chain& chain) {
     const auto nodes = static_cast<uint32_t>(chain.points.size() / d), intervals = closed ? nodes : nodes - 1;
-    std::pmr::vector<uint8_t> parts(intervals, 1, pace.memory());
-    for (const Trespass& trespass : trespasses) {
+    Buffer<uint8_t> parts(intervals, pace.memory());
+    co_await each(pace, intervals, Cost::some_ns, [&](uint32_t i) { parts[i] = 1; });
+    co_await each(pace, trespasses.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Trespass& trespass = trespasses[i];
         const double wanted = std::ceil(trespass.depth / margin);
         const auto own = static_cast<uint8_t>(std::clamp(wanted, 2.0, double{max_parts}));
         const uint8_t beside = own / 2;
@@ -188,8 +201,11 @@ Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint
                        after = (trespass.interval + 1) % intervals;
         parts[before] = std::max(parts[before], beside);
         parts[after] = std::max(parts[after], beside);
-    }
+    });
+    size_t count_of_all = closed ? 0 : 1;
+    co_await each(pace, intervals, Cost::some_ns, [&](uint32_t i) { count_of_all += parts[i]; });
     Chain finer(pace.memory());
+    finer.reserve(count_of_all, d);
     size_t knot = 0;
     co_await each(pace, nodes, Cost::tens_of_ns, [&](uint32_t i) {
         if (knot < chain.knots.size() && chain.knots[knot] == i) {
@@ -261,9 +277,7 @@ Task<void> keep_chain(Pace& pace, SplineOptimizer& optimizer, const Chain& chain
 
 // Of CurvePieces.
 struct Leave {
-    explicit Leave(Memory* memory) : allowed(memory), spare(memory) {}
-
-    std::pmr::vector<double> allowed, spare;
+    Buffer<double> allowed, spare;  // one an interval
 };
 
 // Of the chain, and of the cubic spline through it if it bends.
@@ -281,8 +295,8 @@ Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& op
     const CurvePieces pieces{{chain.points.data(), chain.points.size()},
                              moments.steps(),
                              {second.data(), second.size()},
-                             leave.allowed,
-                             leave.spare,
+                             {leave.allowed.data(), leave.allowed.size()},
+                             {leave.spare.data(), leave.spare.size()},
                              problem.closed};
     co_await find_trespasses(pace, set, pieces, out);
 }
@@ -305,12 +319,14 @@ struct Margins {
 };
 
 // Beside given points that are nearer than the nodes' margin the curve may come nearer by that.
-Task<void> set_leave(Pace& pace, const ObstacleSet& set, const Chain& chain, const Margins& scene, bool closed,
-                     Leave& out) {
+Task<Leave> leave_of(Pace& pace, const ObstacleSet& set, const Chain& chain, const Margins& scene, bool closed) {
     const uint32_t d = set.dimension();
     const size_t intervals = chain.shares.size();
-    out.spare.assign(intervals, spare_share * scene.margin);
-    out.allowed.assign(intervals, scene.slack);
+    Leave out{Buffer<double>(intervals, pace.memory()), Buffer<double>(intervals, pace.memory())};
+    co_await each(pace, intervals, Cost::some_ns, [&](uint32_t i) {
+        out.spare[i] = spare_share * scene.margin;
+        out.allowed[i] = scene.slack;
+    });
     co_await each(pace, chain.knots.size(), Cost::microseconds, [&](uint32_t k) {
         const size_t node = chain.knots[k];
         if (set.distance(&chain.points[node * d]) >= scene.margin) return;
@@ -320,6 +336,7 @@ Task<void> set_leave(Pace& pace, const ObstacleSet& set, const Chain& chain, con
                 out.allowed[interval % intervals] = scene.margin;
         }
     });
+    co_return out;
 }
 
 // On barriers whose radius shrinks to the last one.
@@ -343,13 +360,12 @@ Task<void> descend(Pace& pace, const Margins& scene, Barrier& barrier, SplinePro
 Task<void> settle(Pace& pace, const ObstacleSet& set, const Margins& scene, ObstacleSet& wider, const Barrier& barrier,
                   SplineProblem& problem, Spline& out, Chain& chain, std::pmr::vector<Trespass>& trespasses) {
     const uint32_t d = set.dimension();
-    Leave leave(pace.memory());
     double margin = scene.margin;
     for (uint32_t pass = 0;; ++pass) {
         co_await lift_chain(pace, barrier, chain, problem);
         SplineOptimizer optimizer(problem, pace.memory());
         co_await minimize_on(pace, barrier, optimizer, out, chain);
-        co_await set_leave(pace, set, chain, scene, problem.closed, leave);
+        const Leave leave = co_await leave_of(pace, set, chain, scene, problem.closed);
         trespasses.clear();
         co_await examine(pace, set, optimizer, problem, chain, leave, trespasses);
         if (trespasses.empty()) co_return co_await keep_chain(pace, optimizer, chain, out);

@@ -10,7 +10,6 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t look_work = 1;      // of Cost::microseconds
 constexpr uint32_t look_steps = 64;    // of a way, between two pauses
 constexpr double min_step = 1.0 / 64;  // of the interval, where it is not clear: to see how deep it goes
 
@@ -39,7 +38,7 @@ Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces
             const double left = obstacles.distance(at.data(), &which) - t * (1 - t) * bulge + curve.allowed[i],
                          lacking = curve.spare[i] - left;
             if (lacking > worst.depth) worst = {i, which, lacking, t};
-            if (slice.is_over(look_work)) co_await pace;
+            if (slice.is_over()) co_await pace;
             if (t >= 1) break;
             // What is left falls by no more than 1 a metre of the chord, and the bulge's slope a unit of t.
             const double fall = length + bulge;

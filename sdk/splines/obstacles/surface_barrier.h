@@ -21,7 +21,6 @@ public:
     double radius() const { return barrier_.radius(); }
     // Between solves, see BarrierSurface.
     void set_radius(double radius) { barrier_.set_radius(radius); }
-    double step_limit() const { return barrier_.step_limit(); }
     bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const override {
         return obstacles_.keeps_sides(a, b, c, e);
     }
