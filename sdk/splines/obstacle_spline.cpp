@@ -27,7 +27,7 @@ constexpr double shrink = 0.35;       // of the radius, from one solve to the ne
 constexpr double rough = 1e-2;        // the tolerance before the last one
 // Nodes keep so much farther away than the curve has to, of the last radius, and a part of that is spare.
 constexpr double margin_share = 0.1, spare_share = 0.25, max_margin = 5;
-constexpr double allowance = 2e-7;  // of the scene's size: what rounding may do, and points that touch
+constexpr double allowance = 2e-7;  // of the scene's size: what rounding may do
 constexpr double least_way = 0.01;  // of the margin: chords of the first chain are clear by
 constexpr uint32_t max_halvings = 6, max_parts = 16, max_passes = 6, max_finer = 4;
 
@@ -82,14 +82,7 @@ Task<void> find_beginning(Pace& pace, const SplineRequest& request, const Obstac
                           GivenPoints given, FirstCurve& first) {
     const ManifoldProduct& held = *request.out->manifold;
     if (held.kind != ManifoldKind::space) {
-        co_await each(pace, given.count(3), Cost::microseconds, [&](uint32_t i) {
-            uint32_t which = 0;
-            const double away = request.placed->set().distance(&given.values[size_t{3} * i], &which);
-            if (away >= -allowance * held.manifold->size()) return;
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "desc.points: point %u is %g inside of obstacle %u, or nearer than the clearance", i, -away,
-                          which);
-        });
+        co_await refuse_inside(pace, wider, given.values, margin);
         co_await find_first_curve(pace, held, given, first);
         co_await lead_around(pace, static_cast<const Hypersurface&>(*held.manifold), wider, least_way * margin, given,
                              first);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <queue>
-#include <unordered_map>
 
 #include "core/failure.h"
 #include "core/vec.h"
@@ -17,17 +17,10 @@ namespace {
 constexpr uint32_t first_cells = 32, grids = 3;  // along the surface's size; how often cells are halved
 constexpr double near_middle = 0.87;             // of a cell: so far from its middle the surface may pass
 constexpr double max_hop = 3;                    // cells, between points of neighbours
-constexpr uint32_t max_cells = 200'000;          // that a search looks at
+constexpr uint32_t max_cells = 1u << 16;         // that a search looks at
 constexpr uint32_t project_work = 4;             // of Cost::microseconds
 
 using Cell = std::array<int32_t, 3>;
-
-struct CellHash {
-    size_t operator()(const Cell& c) const {
-        return static_cast<size_t>(uint32_t(c[0]) * 73856093u ^ uint32_t(c[1]) * 19349663u ^
-                                   uint32_t(c[2]) * 83492791u);
-    }
-};
 
 // The surface's point of a cell.
 struct Place {
@@ -35,7 +28,38 @@ struct Place {
     Cell cell;
     double passed;  // metres, from the beginning
     uint32_t from;
+    bool is_passed;  // by the surface
     bool is_done;
+};
+
+// The places that were looked at, by cell. Of one size, so that nothing moves as it grows.
+class Places {
+public:
+    static Task<void> clear(Pace& pace, Places& all) {
+        co_await each(pace, slots, Cost::some_ns, [&all](uint32_t i) { all.first_[i] = none; });
+    }
+    explicit Places(Memory* memory) : first_(slots, memory), places_(max_cells, memory) {}
+
+    // Where a cell's place is listed, or `none`, to be set by add().
+    uint32_t& find(const Cell& c) {
+        uint32_t at = uint32_t(c[0]) * 73856093u ^ uint32_t(c[1]) * 19349663u ^ uint32_t(c[2]) * 83492791u;
+        for (at %= slots; first_[at] != none && places_[first_[at]].cell != c;) at = (at + 1) % slots;
+        return first_[at];
+    }
+    void add(uint32_t& where, const Place& place) {
+        where = count_;
+        std::construct_at(&places_[count_++], place);
+    }
+    Place& operator[](uint32_t i) { return places_[i]; }
+    bool is_full() const { return count_ + 27 > max_cells; }
+
+    static constexpr uint32_t none = UINT32_MAX;
+
+private:
+    static constexpr uint32_t slots = 2 * max_cells;
+    Buffer<uint32_t> first_;
+    Buffer<Place> places_;
+    uint32_t count_ = 0;
 };
 
 class Ground {
@@ -77,8 +101,8 @@ struct Goal {
 
 // From a to b over cells of this size: all places in between, or none.
 Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, double cell) {
-    std::pmr::vector<Place> places(pace.memory());
-    std::pmr::unordered_map<Cell, uint32_t, CellHash> of_cell(pace.memory());
+    Places places(pace.memory());
+    co_await Places::clear(pace, places);
     std::priority_queue<Goal, std::pmr::vector<Goal>> open{std::less<Goal>(), std::pmr::vector<Goal>(pace.memory())};
     std::pmr::vector<Vec3> way(pace.memory());
     const auto cell_of = [&](const Vec3& at) {
@@ -89,11 +113,10 @@ Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, 
     Vec3 normal, target_normal, target = b;
     Vec3 start = a;
     if (!ground.project(start, normal) || !ground.project(target, target_normal)) co_return way;
-    places.push_back({a, normal, cell_of(a), 0, UINT32_MAX, false});
-    of_cell.emplace(places[0].cell, 0);
+    places.add(places.find(cell_of(a)), {a, normal, cell_of(a), 0, Places::none, true, false});
     open.push({(b - a).norm(), 0});
     Slice slice(Cost::microseconds);
-    while (!open.empty() && places.size() < max_cells) {
+    while (!open.empty() && !places.is_full()) {
         const uint32_t here = open.top().place;
         open.pop();
         if (places[here].is_done) continue;
@@ -103,7 +126,7 @@ Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, 
         if (reaches) reaches = co_await Ground::is_clear(pace, ground, at.at, b);
         if (reaches) {
             way.push_back(b);
-            for (uint32_t p = here; p != UINT32_MAX; p = places[p].from) way.push_back(places[p].at);
+            for (uint32_t p = here; p != Places::none; p = places[p].from) way.push_back(places[p].at);
             std::reverse(way.begin(), way.end());
             co_return way;
         }
@@ -111,18 +134,16 @@ Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, 
             const Cell by = {static_cast<int32_t>(offset % 3) - 1, static_cast<int32_t>(offset / 3 % 3) - 1,
                              static_cast<int32_t>(offset / 9) - 1};
             const Cell next = {at.cell[0] + by[0], at.cell[1] + by[1], at.cell[2] + by[2]};
-            auto found = of_cell.find(next);
-            if (found == of_cell.end()) {
+            uint32_t& number = places.find(next);
+            if (number == Places::none) {
                 const Vec3 middle = a + cell * Vec3(next[0], next[1], next[2]);
                 Vec3 point = middle;
                 const bool is_passed = ground.project(point, normal) && (point - middle).norm() <= near_middle * cell;
+                places.add(number, {point, normal, next, HUGE_VAL, Places::none, is_passed, false});
                 if (slice.is_over(project_work)) co_await pace;
-                found = of_cell.emplace(next, is_passed ? static_cast<uint32_t>(places.size()) : UINT32_MAX).first;
-                if (is_passed) places.push_back({point, normal, next, HUGE_VAL, UINT32_MAX, false});
             }
-            if (found->second == UINT32_MAX) continue;
-            const uint32_t number = found->second;
             Place& reached = places[number];
+            if (!reached.is_passed) continue;
             const double hop = (reached.at - at.at).norm();
             if (reached.is_done || at.passed + hop >= reached.passed || hop > max_hop * cell) continue;
             if (at.normal.dot(reached.normal) <= 0) continue;

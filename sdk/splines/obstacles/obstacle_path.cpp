@@ -36,20 +36,6 @@ struct Scene {
         return x;
     }
 
-    void check_point(uint32_t i) const {
-        const Place x = given(i);
-        double size = 0;
-        for (uint32_t k = 0; k < d; ++k) {
-            if (!std::isfinite(x[k])) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "point %u is not finite", i);
-            size = std::max(size, std::abs(x[k]));
-        }
-        uint32_t which = 0;
-        const double away = obstacles.distance(x.data(), &which);
-        if (away + slack >= -tolerance * size) return;
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "point %u is %g inside of obstacle %u, or nearer than the clearance",
-                      i, -away - slack, which);
-    }
-
     void check_side(uint32_t i, const ObstacleGrid& grid) const {
         const uint32_t side = grid.behind(given(i).data());
         if (side == grid.side_count()) return;
@@ -72,7 +58,6 @@ struct Scene {
 
     const ObstacleSet& obstacles;
     std::span<const double> points;
-    double slack;
     uint32_t d, count;
 };
 
@@ -287,12 +272,29 @@ Task<void> tighten(Pace& pace, const Scene& scene, const ObstacleGrid& grid, Pla
 
 }  // namespace
 
+Task<void> refuse_inside(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, double slack) {
+    const uint32_t d = obstacles.dimension();
+    co_await each(pace, points.size() / d, Cost::microseconds, [&](uint32_t i) {
+        const double* const x = &points[size_t{i} * d];
+        double size = 0;
+        for (uint32_t k = 0; k < d; ++k) {
+            if (!std::isfinite(x[k])) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "point %u is not finite", i);
+            size = std::max(size, std::abs(x[k]));
+        }
+        uint32_t which = 0;
+        const double away = obstacles.distance(x, &which) + slack;
+        if (away >= -tolerance * size) return;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "point %u is %g inside of obstacle %u, or nearer than the clearance",
+                      i, -away, which);
+    });
+}
+
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,
                                  std::span<const ObstacleSide> sides, double slack) {
     const uint32_t d = obstacles.dimension(), count = static_cast<uint32_t>(points.size() / d);
     if (count < 2) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a path has %u points, it must have 2 at least", count);
-    const Scene scene{obstacles, points, slack, d, count};
-    co_await each(pace, count, Cost::microseconds, [&](uint32_t i) { scene.check_point(i); });
+    const Scene scene{obstacles, points, d, count};
+    co_await refuse_inside(pace, obstacles, points, slack);
     ObstacleGrid grid = co_await obstacle_grid(pace, obstacles, points, sides);
     SweepDistance distances(grid.grid(), grid.flags(), pace.memory());
     ObstaclePath path(pace.memory());

@@ -26,8 +26,11 @@ struct ObstaclePath {
 // points: d numbers each, two points at least, finite. sides: how obstacles have to be passed by all of the path.
 // slack: metres, by which given points may be nearer than the clearance.
 // Throws a Failure where a point is inside of an obstacle (nearer than the clearance), behind one whose side is given,
-// or in a gap finer than the grid; and where there is no way. Memory: 13 bytes a node of the grid.
+// or in a gap finer than the grid; and where there is no way. Memory: 14 bytes a node of the grid.
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,
                                  std::span<const ObstacleSide> sides, double slack = 0);
+
+// Its first check: throws a Failure that names the point.
+Task<void> refuse_inside(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, double slack);
 
 }  // namespace flg
