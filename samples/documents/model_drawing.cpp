@@ -243,14 +243,7 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
     if (!drawing.root.empty()) desc.root = part_named(drawing, drawing.root, subject);
     desc.root_joint = drawing.root_joint.empty() ? nullptr : drawing.root_joint.c_str();
     std::vector<FlgJointEdit> edits;
-    for (const JointEdit& edit : drawing.joint_edits) {
-        FlgJointEdit& out = edits.emplace_back(flgJointEditDefaults());
-        out.kind = edit.kind;
-        out.joint = edit.joint.c_str();
-        out.name = edit.name.empty() ? nullptr : edit.name.c_str();
-        std::copy(edit.at.begin(), edit.at.end(), out.at);
-        out.share = edit.share;
-    }
+    for (const JointEdit& edit : drawing.joint_edits) edits.push_back(described(edit));
     std::vector<uint32_t> apart;
     for (const auto& pair : drawing.apart)
         for (const std::string& name : pair) apart.push_back(part_named(drawing, name, subject));
@@ -264,6 +257,16 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
     jobs.push_back({job, subject});
     session.finish(jobs, report);
     return model;
+}
+
+FlgJointEdit described(const JointEdit& edit) {
+    FlgJointEdit out = flgJointEditDefaults();
+    out.kind = edit.kind;
+    out.joint = edit.joint.c_str();
+    out.name = edit.name.empty() ? nullptr : edit.name.c_str();
+    std::copy(edit.at.begin(), edit.at.end(), out.at);
+    out.share = edit.share;
+    return out;
 }
 
 }  // namespace flg::cli

@@ -35,7 +35,10 @@ struct JointEdit {
     std::string joint, name;
     std::array<double, 3> at = {0, 0, 0};
     double share = 0.5;
+    bool operator==(const JointEdit&) const = default;
 };
+// For the ABI; points into the edit.
+FlgJointEdit described(const JointEdit& edit);
 
 struct ModelDrawing {
     std::vector<DrawnPart> parts;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "documents/model_drawing.h"
 #include "filigree/filigree_model.h"
 #include "filigree_renderer/camera.h"
 #include "skeletons/contour.h"
@@ -49,13 +50,7 @@ struct DrawnPart {
 };
 
 // What was set about a joint, as FlgJointEdit has it.
-struct JointEdit {
-    FlgJointEditKind kind = FLG_JOINT_EDIT_KIND_PIN;
-    std::string joint, name;
-    std::array<double, 3> at{};
-    double share = 0.5;
-    bool operator==(const JointEdit&) const = default;
-};
+using cli::JointEdit;
 
 // Pictures lie in the plane z = 0.
 struct TracedPicture {

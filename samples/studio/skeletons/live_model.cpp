@@ -166,14 +166,7 @@ void LiveModel::start_model(const Drawing& drawing) {
     desc.job = &urgent;
     std::copy(recipe.mirror.begin(), recipe.mirror.end(), desc.mirror);
     std::vector<FlgJointEdit> edits;
-    for (const JointEdit& edit : recipe.joint_edits) {
-        FlgJointEdit& out = edits.emplace_back(flgJointEditDefaults());
-        out.kind = edit.kind;
-        out.joint = edit.joint.c_str();
-        out.name = edit.name.empty() ? nullptr : edit.name.c_str();
-        std::copy(edit.at.begin(), edit.at.end(), out.at);
-        out.share = edit.share;
-    }
+    for (const JointEdit& edit : recipe.joint_edits) edits.push_back(cli::described(edit));
     desc.joint_edits = edits.data();
     desc.joint_edit_count = static_cast<uint32_t>(edits.size());
     desc.apart_pairs = recipe.apart.data();
