@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <span>
+#include <utility>
 
 #include "core/memory.h"
 #include "runtime/pace.h"
@@ -151,6 +153,21 @@ Task<Groups> group_by(Pace& pace, size_t count, size_t keys, KeyOf key_of) {
         if (const uint32_t key = key_of(i); key != no_key) items[offsets[key + 1]++] = i;
     });
     co_return groups;
+}
+
+// Items, those of lower keys first, those of one key in their order; keys are at most `largest`. A pass over all of them
+// for each byte of that.
+template <class T, class KeyOf>
+Task<Buffer<T>> sort_by(Pace& pace, const std::pmr::deque<T>& items, uint32_t largest, KeyOf key_of) {
+    Buffer<T> sorted(items.size(), pace.memory()), scratch(items.size(), pace.memory());
+    co_await each(pace, items.size(), Cost::some_ns, [&](uint32_t i) { sorted[i] = items[i]; });
+    for (uint32_t shift = 0; shift < 32 && largest >> shift != 0; shift += 8) {
+        const Groups groups =
+            co_await group_by(pace, sorted.size(), 256, [&](uint32_t i) { return key_of(sorted[i]) >> shift & 255; });
+        co_await each(pace, sorted.size(), Cost::tens_of_ns, [&](uint32_t i) { scratch[i] = sorted[groups.items[i]]; });
+        std::swap(sorted, scratch);
+    }
+    co_return sorted;
 }
 
 }  // namespace flg

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/geodesic_jobs.h"
 
+#include <algorithm>
+#include <cmath>
 #include <new>
+#include <optional>
 
 #include "core/failure.h"
 #include "runtime/each.h"
@@ -49,6 +52,7 @@ Task<void> collect_seeds(Pace& pace, const GeodesicRequest& request, GeodesicSee
 
 struct Query {
     const Mesh& mesh;
+    const GrowingBuffer<Position>& positions;  // of the metric
     const RegionSet& regions;
     const Buffer<Seed>& seeds;
     const SolveLimits& limits;
@@ -57,23 +61,52 @@ struct Query {
 };
 
 Task<void> solve(Pace& pace, const Query& query, const GeodesicBlocks& blocks, RefinedSolver& solver) {
-    const GeodesicRegion region = co_await bound_region(pace, query.mesh, blocks, query.regions);
+    const GeodesicRegion region = co_await bound_region(pace, query.mesh, query.positions, blocks, query.regions);
     const std::span<const Seed> seeds(query.seeds.data(), query.seeds.size());
     co_await solve_distances(pace, solver, seeds, query.limits, query.labelled, &region);
     co_await take_field(pace, solver, query.labelled, query.out);
 }
 
-Task<void> solve_on_surface(Pace& pace, const Query& query, Surface& surface) {
-    const GeodesicBlocks& blocks = blocks_of(surface);
+// No way over the surface is shorter than the straight line from its source. Of some points that is soon looked at; of
+// many only if labels tell which one counts. `places`: of the sources, by label. What comes to lie beyond the limit is
+// unreachable.
+Task<void> keep_above_straight_lines(Pace& pace, const Mesh& mesh, const Buffer<Vec3>& places, float limit,
+                                     DistanceField& field) {
+    constexpr size_t max_unlabelled = 16;
+    const bool labelled = !field.labels.empty();
+    if (places.empty() || (!labelled && places.size() > max_unlabelled)) co_return;
+    co_await each(pace, field.distances.size(), labelled ? Cost::some_ns : Cost::tens_of_ns, [&](uint32_t v) {
+        if (field.distances[v] == unreachable) return;
+        const Vec3 at = mesh.position(v);
+        double nearest = unreachable;
+        if (labelled) {
+            nearest = (places[field.labels[v]] - at).squaredNorm();
+        } else {
+            for (const Vec3& place : places) nearest = std::min(nearest, (place - at).squaredNorm());
+        }
+        const auto straight = static_cast<float>(std::sqrt(nearest));
+        if (!(straight > field.distances[v])) return;
+        field.distances[v] = straight <= limit ? straight : unreachable;
+        if (labelled && !(straight <= limit)) field.labels[v] = no_index;
+    });
+}
+
+// Of sources that are points alone.
+Task<Buffer<Vec3>> source_places(Pace& pace, const Mesh& mesh, const GeodesicSources& sources,
+                                 const GeodesicSeeds& seeds) {
+    if (sources.curves || sources.edges || !sources.border_regions.empty()) co_return Buffer<Vec3>();
+    const size_t vertices = sources.vertices.size();
+    Buffer<Vec3> places(vertices + sources.points.size(), pace.memory());
+    co_await each(pace, places.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        places[i] = i < vertices ? mesh.position(sources.vertices[i]) : seeds.place(sources.points[i - vertices]);
+    });
+    co_return places;
+}
+
+Task<void> solve_on_surface(Pace& pace, const Query& query, const GeodesicBlocks& blocks, Surface& surface) {
     auto solver = surface.solvers.pool.lend(blocks);
     co_await solve(pace, query, blocks, *solver);
     solver.give_back();
-}
-
-Task<void> solve_perturbed(Pace& pace, const Query& query, const GrowingBuffer<Position>& positions) {
-    const GeodesicBlocks blocks = co_await make_blocks(pace, query.mesh, positions);
-    RefinedSolver solver(blocks, pace.memory());
-    co_await solve(pace, query, blocks, solver);
 }
 
 Task<GrowingBuffer<Position>> perturbed_positions(Pace& pace, const Mesh& mesh, Perturbation perturbation) {
@@ -109,9 +142,14 @@ Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField
     pace.stage("sources");
     const bool perturbed = request.perturbation.amount > 0;
     GrowingBuffer<Position> moved;
-    if (perturbed) moved = co_await perturbed_positions(pace, mesh, request.perturbation);
+    std::optional<GeodesicBlocks> moved_blocks;
+    if (perturbed) {
+        moved = co_await perturbed_positions(pace, mesh, request.perturbation);
+        moved_blocks.emplace(co_await make_blocks(pace, mesh, moved));
+    }
     const GrowingBuffer<Position>& positions = perturbed ? moved : mesh.positions;
-    GeodesicSeeds collected(mesh, positions, request.regions, pace.memory());
+    const GeodesicBlocks& blocks = perturbed ? *moved_blocks : blocks_of(*request.surface);
+    GeodesicSeeds collected(mesh, positions, request.regions, pace.memory(), &blocks.flipped);
     co_await collect_seeds(pace, request, collected);
     const Buffer<Seed> seeds = co_await merge_seeds(pace, collected.found());
     co_await check_vertices(pace, mesh, request.targets, "desc.targets");
@@ -121,26 +159,33 @@ Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField
                   [&](uint32_t i) { limits.targets.push_back(request.targets[i]); });
 
     pace.stage("solve");
-    const Query query{mesh, request.regions, seeds, limits, request.labelled, out};
+    const Query query{mesh, positions, request.regions, seeds, limits, request.labelled, out};
     if (perturbed) {
-        co_await solve_perturbed(pace, query, moved);
-    } else {
-        co_await solve_on_surface(pace, query, *request.surface);
+        RefinedSolver solver(blocks, pace.memory());
+        co_await solve(pace, query, blocks, solver);
+        co_return;
     }
+    co_await solve_on_surface(pace, query, blocks, *request.surface);
+    const Buffer<Vec3> places = co_await source_places(pace, mesh, request.sources, collected);
+    co_await keep_above_straight_lines(pace, mesh, places, request.max_distance, out);
 }
 
 Task<void> solve_between(Pace& pace, Surface& surface, const RegionSet& regions, SurfacePoint source,
                          SurfacePoint target, DistanceField& out) {
     const Mesh& mesh = surface.mesh();
-    GeodesicSeeds collected(mesh, mesh.positions, regions, pace.memory());
+    const GeodesicBlocks& blocks = blocks_of(surface);
+    GeodesicSeeds collected(mesh, mesh.positions, regions, pace.memory(), &blocks.flipped);
     collected.add_point(source, 0);
     const Buffer<Seed> seeds = co_await merge_seeds(pace, collected.found());
     const Triple& around = mesh.triangles[target.triangle];
     const SolveLimits limits{
         .distance = unreachable,
         .targets = {around.begin(), around.end(), std::pmr::polymorphic_allocator<>(pace.memory())}};
-    const Query query{mesh, regions, seeds, limits, false, out};
-    co_await solve_on_surface(pace, query, surface);
+    const Query query{mesh, mesh.positions, regions, seeds, limits, false, out};
+    co_await solve_on_surface(pace, query, blocks, surface);
+    Buffer<Vec3> places(1, pace.memory());
+    places[0] = collected.place(source);
+    co_await keep_above_straight_lines(pace, mesh, places, unreachable, out);
 }
 
 Task<void> blend_fields(Pace& pace, std::shared_ptr<const Field> from, std::shared_ptr<const Field> to,

@@ -23,7 +23,7 @@ Task<void> sample_surface(Pace& pace, FlgSurfaceSampleDesc desc, RegionSet regio
     const Mesh& mesh = surface.mesh();
     const SolveLimits limits{.distance = unreachable, .targets = std::pmr::vector<uint32_t>(pace.memory())};
     const GeodesicBlocks& blocks = blocks_of(surface);
-    const GeodesicRegion bound = co_await bound_region(pace, mesh, blocks, regions);
+    const GeodesicRegion bound = co_await bound_region(pace, mesh, mesh.positions, blocks, regions);
     auto solver = surface.solvers.pool.lend(blocks);
     const std::span<const Seed> nothing;
     co_await solve_distances(pace, *solver, nothing, limits, true, &bound);

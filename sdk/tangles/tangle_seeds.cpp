@@ -153,7 +153,7 @@ Task<void> begin_sampling(Pace& pace, Surface& surface, const RegionSet& leaves,
                           const GeodesicRegion& bound, RefinedSolver& solver) {
     const Mesh& mesh = surface.mesh();
     const RegionLoops loops = co_await find_region_loops(pace, mesh, leaves);
-    GeodesicSeeds border(mesh, mesh.positions, leaves, pace.memory());
+    GeodesicSeeds border(mesh, mesh.positions, leaves, pace.memory(), &blocks_of(surface).flipped);
     co_await each(pace, loops.edges.size(), Cost::hundreds_of_ns,
                   [&](uint32_t i) { border.add_edge(loops.edges[i], 0); });
     Buffer<Seed> away = co_await merge_seeds(pace, border.found());
@@ -165,7 +165,7 @@ Task<void> begin_sampling(Pace& pace, Surface& surface, const RegionSet& leaves,
 
 Task<Buffer<uint32_t>> sample(Pace& pace, Surface& surface, const RegionSet& leaves, const TangleSeeds& seeds) {
     const GeodesicBlocks& blocks = blocks_of(surface);
-    const GeodesicRegion bound = co_await bound_region(pace, surface.mesh(), blocks, leaves);
+    const GeodesicRegion bound = co_await bound_region(pace, surface.mesh(), surface.mesh().positions, blocks, leaves);
     auto solver = surface.solvers.pool.lend(blocks);
     co_await begin_sampling(pace, surface, leaves, seeds.sample_radius, bound, *solver);
     const uint32_t most = seeds.sample_count == 0 ? no_index : seeds.sample_count;

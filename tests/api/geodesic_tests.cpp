@@ -43,6 +43,41 @@ TEST(GeodesicApi, DistancesOnASphereAndACylinder) {
     EXPECT_LT(relative_error(host.view(tube), host.view(host.solve(from_vertex(tube, &vertex))), helix), 0.002);
 }
 
+// However the triangles are: from one vertex, from points, from many that labels tell apart.
+TEST(GeodesicApi, NoDistanceIsShorterThanTheStraightLine) {
+    const SurfaceHost host;
+    for (const Point& stretch : {Point{1, 1, 1}, Point{1, 20, 1}, Point{10, 1, 0.2}}) {
+        MeshArrays input = sphere(16);
+        for (size_t i = 0; i < input.positions.size(); ++i) input.positions[i] *= static_cast<float>(stretch[i % 3]);
+        const FlgSurface surface = host.surface(input);
+        const FlgSurfaceView view = host.view(surface);
+        std::vector<uint32_t> vertices;
+        for (uint32_t v = 0; v < view.vertex_count; v += 40) vertices.push_back(v);
+        const FlgSurfacePoint point = {7, 0.2f, 0.3f};
+        for (const uint32_t labels : {0u, 1u}) {
+            FlgFieldGeodesicDesc desc = from_vertex(surface, vertices.data());
+            desc.vertex_count = labels ? static_cast<uint32_t>(vertices.size()) : 3;
+            desc.points = &point;
+            desc.point_count = 1;
+            desc.labels = labels;
+            std::vector<Point> sources;
+            for (uint32_t i = 0; i < desc.vertex_count; ++i) sources.push_back(vertex_at(view, vertices[i]));
+            Point& inside = sources.emplace_back();
+            const double weights[] = {1 - point.u - point.v, point.u, point.v};
+            for (int k = 0; k < 3; ++k) {
+                const Point corner = vertex_at(view, view.triangles[3 * point.triangle + k]);
+                for (int i = 0; i < 3; ++i) inside[i] += weights[k] * corner[i];
+            }
+            const FlgFieldView field = host.view(host.solve(desc));
+            for (uint32_t v = 0; v < view.vertex_count; ++v) {
+                double straight = std::numeric_limits<double>::infinity();
+                for (const Point& source : sources) straight = std::min(straight, distance(source, vertex_at(view, v)));
+                EXPECT_GE(field.values[v], straight * (1 - 1e-6)) << v;
+            }
+        }
+    }
+}
+
 // A vertex, a point, a curve and a region's border at once: the distance is to the nearest, the label says which it is.
 TEST(GeodesicApi, SourcesOfAllKindsAreNumberedInOrder) {
     const SurfaceHost host;

@@ -71,7 +71,7 @@ TEST(GeodesicBlocks, HoldEachVertexOnceAndItsFanInOrder) {
         const uint32_t rank = blocks.rank_of_vertex[v];
         EXPECT_EQ(blocks.vertex_of_rank[rank], v);
         uint32_t lane = 0;
-        visit_fan(mesh, v, [&](uint32_t neighbour) {
+        visit_fan(mesh, v, [&](uint32_t neighbour, Corner) {
             EXPECT_EQ(blocks.blocks[rank].rank(lane), blocks.rank_of_vertex[neighbour]);
             EXPECT_NEAR(blocks.blocks[rank].lengths[lane], (mesh.position(v) - mesh.position(neighbour)).norm(), 1e-6);
             ++lane;
@@ -101,8 +101,8 @@ TEST(GeodesicBlocks, KnowTheCurvature) {
     EXPECT_NEAR(total(make_mesh(torus(30, 20))), 0, 1e-4);
 }
 
-TEST(GeodesicBlocks, AreTheSameUpdatedAndBuiltAnew) {
-    Mesh mesh = roomy(torus(30, 20), 4000);
+void expect_same_updated_and_built_anew(const Soup& soup) {
+    Mesh mesh = roomy(soup, 4000);
     Geodesics geodesics(mesh);
     // Again and again around the same vertices: their fans outgrow one block, then two; and more vertices than there is
     // room.
@@ -117,8 +117,16 @@ TEST(GeodesicBlocks, AreTheSameUpdatedAndBuiltAnew) {
     }
 }
 
-TEST(GeodesicBlocks, FollowACutThatIsTakenBack) {
-    const Soup soup = torus(30, 20);
+TEST(GeodesicBlocks, AreTheSameUpdatedAndBuiltAnew) {
+    expect_same_updated_and_built_anew(torus(30, 20));
+}
+
+TEST(GeodesicBlocks, AreTheSameUpdatedAndBuiltAnewOnStretchedTriangles) {
+    expect_same_updated_and_built_anew(stretched(torus(30, 20), {1, 20, 1}));
+    expect_same_updated_and_built_anew(stretched(torus(30, 20), {1, 1.5, 1}));
+}
+
+void expect_a_cut_is_taken_back(const Soup& soup) {
     Mesh mesh = roomy(soup, 400);
     Geodesics geodesics(mesh);
     std::set<uint32_t> touched;
@@ -128,6 +136,12 @@ TEST(GeodesicBlocks, FollowACutThatIsTakenBack) {
     std::erase_if(touched, [&](uint32_t vertex) { return vertex >= before.vertex_count(); });
     update(before, touched, geodesics.blocks);
     expect_like_new(before, geodesics);
+}
+
+TEST(GeodesicBlocks, FollowACutThatIsTakenBack) {
+    expect_a_cut_is_taken_back(torus(30, 20));
+    expect_a_cut_is_taken_back(stretched(torus(30, 20), {1, 20, 1}));
+    expect_a_cut_is_taken_back(stretched(torus(30, 20), {1, 1.5, 1}));
 }
 
 }  // namespace

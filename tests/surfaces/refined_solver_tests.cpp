@@ -24,6 +24,42 @@ Soup moved(Soup soup, const Eigen::Affine3d& motion) {
 }
 
 // Flat meshes have no curvature to be wrong about: what remains is where no triangle lets the straight way through.
+// Distances from a vertex on what is left of a soup once vertices without triangles are taken out.
+std::vector<float> distances_of_used(const Soup& soup, uint32_t source) {
+    std::vector<uint32_t> number(soup.positions.size(), no_index);
+    Soup used;
+    for (const Triple& triangle : soup.triangles) {
+        Triple& moved = used.triangles.emplace_back();
+        for (uint32_t k = 0; k < 3; ++k) {
+            uint32_t& vertex = number[triangle[k]];
+            if (vertex == no_index) {
+                vertex = static_cast<uint32_t>(used.positions.size());
+                used.positions.push_back(soup.positions[triangle[k]]);
+            }
+            moved[k] = vertex;
+        }
+    }
+    const auto distances = Geodesics(make_mesh(used)).distances({{number[source], 0, 0}});
+    std::vector<float> result(number.size(), unreachable);
+    for (size_t v = 0; v < number.size(); ++v) {
+        if (number[v] != no_index) result[v] = distances[number[v]];
+    }
+    return result;
+}
+
+literal::GeodesicGraph edges_alone(const Mesh& mesh) {
+    literal::GeodesicGraph graph(mesh.vertex_count());
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+            const auto length = static_cast<float>((mesh.position(a) - mesh.position(b)).norm());
+            graph[a].push_back({b, length});
+            graph[b].push_back({a, length});
+        }
+    }
+    return graph;
+}
+
 TEST(RefinedSolver, FindsStraightLinesInThePlane) {
     const Mesh mesh = make_mesh(plane(100, 0.3));
     for (uint32_t source : {51u * 50u, 0u}) {
@@ -61,7 +97,8 @@ TEST(RefinedSolver, KeepsStraightFrontsStraight) {
     const Vec3 place(0.5, 0.503, 0), normal(-std::sin(0.3), std::cos(0.3), 0);
     const auto away = [&](uint32_t v) { return (mesh.position(v) - place).dot(normal); };
     const RegionSet everywhere(test_memory());
-    GeodesicSeeds seeds(mesh, mesh.positions, everywhere, test_memory());
+    const Geodesics geodesics(mesh);
+    GeodesicSeeds seeds(mesh, mesh.positions, everywhere, test_memory(), &geodesics.blocks.flipped);
     for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
         std::vector<SurfacePoint> crossings;
         for (uint32_t k = 0; k < 3; ++k) {
@@ -75,7 +112,7 @@ TEST(RefinedSolver, KeepsStraightFrontsStraight) {
         constexpr auto joint = GeodesicSeeds::End::joint;
         if (crossings.size() == 2) seeds.add_segment(crossings[0], crossings[1], {joint, joint}, 0);
     }
-    const auto distances = Geodesics(mesh).distances(merged(seeds));
+    const auto distances = geodesics.distances(merged(seeds));
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         const Vec3 p = mesh.position(v);
         // What is upright above one of the line's ends.
@@ -370,7 +407,7 @@ TEST(RefinedSolver, StaysWithinRegions) {
     const uint32_t inside[] = {0};
     const RegionSet within(inside, 1, test_memory());
     const GeodesicRegion region =
-        run_haltingly(test_memory(), [&](Pace& pace) { return bound_region(pace, mesh, geodesics.blocks, within); });
+        run_haltingly(test_memory(), [&](Pace& pace) { return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within); });
     const auto distances = geodesics.distances({{0, 0, 0}}, {}, true, &region);
     for (uint32_t v = 0; v < distances.size(); ++v) {
         const Vec3 p = mesh.position(v);
@@ -381,6 +418,73 @@ TEST(RefinedSolver, StaysWithinRegions) {
     // Around the slit's corner at (0.45, 0.8), then to the other one at (0.55, 0.8), and down.
     const double expected = std::hypot(0.45, 0.8) + 0.1 + std::hypot(0.45, 0.8);
     EXPECT_NEAR(distances[40], expected, 0.02 * expected);
+}
+
+// What an affine map makes of a plane is a plane.
+TEST(RefinedSolver, FindsStraightLinesInStretchedPlanes) {
+    for (const double stretch : {5.0, 20.0, 100.0}) {
+        const Mesh mesh = make_mesh(stretched(plane(40, 0.2), {1, stretch, 1}));
+        const auto distances = Geodesics(mesh).distances({{820, 0, 0}});
+        for (uint32_t v = 0; v < distances.size(); ++v) {
+            const double expected = (mesh.position(v) - mesh.position(820)).norm();
+            EXPECT_NEAR(distances[v], expected, 2e-3 * expected) << stretch;
+        }
+    }
+}
+
+TEST(RefinedSolver, ComesNearToExactDistancesOnStretchedTriangles) {
+    for (const Vec3& stretch : {Vec3(1, 20, 1), Vec3(10, 1, 0.2), Vec3(1, 1, 0.05)}) {
+        for (const Soup& soup : {torus(60, 40), sphere(4)}) {
+            const Mesh mesh = make_mesh(stretched(soup, stretch));
+            const uint32_t source = mesh.vertex_count() / 3;
+            const auto distances = Geodesics(mesh).distances({{source, 0, 0}});
+            const auto exact = literal::exact_distances(mesh, source);
+            EXPECT_LT(rms_error(distances, [&](uint32_t v) { return exact[v]; }), 0.01) << stretch.transpose();
+            const literal::GraphField along_edges(edges_alone(mesh), {{source, 0, 0}});
+            for (uint32_t v = 0; v < distances.size(); ++v) {
+                EXPECT_LE(distances[v], along_edges.distances[v] * (1 + 3e-5f));
+                EXPECT_GE(distances[v], exact[v] * 0.85);
+            }
+        }
+    }
+}
+
+// The slit of StaysWithinRegions, the whole twenty times as high.
+TEST(RefinedSolver, StaysWithinRegionsOfStretchedTriangles) {
+    Mesh mesh = make_mesh(stretched(plane(40, 0.2), {1, 20, 1}));
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+        const Vec3 middle = (mesh.position(mesh.triangles[t][0]) + mesh.position(mesh.triangles[t][1]) +
+                             mesh.position(mesh.triangles[t][2])) /
+                            3;
+        mesh.regions[t] = std::abs(middle.x() - 0.5) < 0.05 && middle.y() < 16 ? 1 : 0;
+    }
+    Geodesics geodesics(mesh);
+    ASSERT_FALSE(geodesics.blocks.flipped.empty());
+    const uint32_t inside[] = {0};
+    const RegionSet within(inside, 1, test_memory());
+    const GeodesicRegion region = run_haltingly(test_memory(), [&](Pace& pace) {
+        return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within);
+    });
+    const auto distances = geodesics.distances({{0, 0, 0}}, {}, true, &region);
+    for (uint32_t v = 0; v < distances.size(); ++v) {
+        const Vec3 p = mesh.position(v);
+        if (std::abs(p.x() - 0.5) < 0.03 && p.y() < 15) {
+            EXPECT_EQ(distances[v], unreachable);
+        }
+    }
+    const double expected = std::hypot(0.45, 16) + 0.1 + std::hypot(0.45, 16);
+    EXPECT_NEAR(distances[40], expected, 0.02 * expected);
+    // The same as on a surface that ends there.
+    Soup cut;
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) cut.positions.push_back(mesh.positions[v]);
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+        if (mesh.regions[t] == 0) cut.triangles.push_back(mesh.triangles[t]);
+    }
+    const auto alone = distances_of_used(cut, 0);
+    for (uint32_t v = 0; v < distances.size(); ++v) {
+        if (alone[v] == unreachable) continue;
+        EXPECT_NEAR(distances[v], alone[v], 0.01 * alone[v] + 1e-6) << v;
+    }
 }
 
 TEST(RefinedSolver, TakesDegenerateTrianglesAndFansOfAThousand) {

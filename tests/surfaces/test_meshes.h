@@ -81,6 +81,11 @@ inline Soup plane(uint32_t cells, double jitter = 0) {
     });
 }
 
+inline Soup stretched(Soup soup, const Vec3& factors) {
+    for (Position& p : soup.positions) p = to_position(Vec3(p[0], p[1], p[2]).cwiseProduct(factors));
+    return soup;
+}
+
 // An open cylinder about the z axis: radius 1, height 2.
 inline Soup cylinder(uint32_t around, uint32_t up) {
     return grid(

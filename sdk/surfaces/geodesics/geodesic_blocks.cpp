@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "runtime/each.h"
+#include "surfaces/geodesics/intrinsic_fan.h"
 #include "surfaces/mesh/fan_walk.h"
-#include "surfaces/mesh/region_cursor.h"
 #include "surfaces/mesh/spatial_order.h"
 
 namespace flg {
@@ -27,6 +27,15 @@ GrowingBuffer<T> growing_buffer(uint32_t size, Memory* memory) {
     GrowingBuffer<T> buffer(with_slack(size), memory);
     buffer.resize(size);
     return buffer;
+}
+
+template <class Take>
+void visit_edges(const GeodesicBlocks& blocks, uint32_t rank, Take take) {
+    visit_blocks(blocks, rank, [&](const GeodesicBlock& block, uint32_t first_lane) {
+        for (uint32_t lane = first_lane; lane < lane_count; ++lane) {
+            if (block.rank(lane) != nowhere) take(block.lengths[lane]);
+        }
+    });
 }
 
 // Angles below a half turn added up without their values: as a point on the unit circle, and how often it has passed
@@ -49,6 +58,11 @@ private:
     uint32_t half_turns_ = 0;
 };
 
+// Takes the vertex's edges out of the scale.
+void forget(GeodesicBlocks& blocks, uint32_t rank) {
+    visit_edges(blocks, rank, [&](float length) { blocks.edges.remove(length); });
+}
+
 // Makes the blocks of one vertex after the other.
 class FanBuilder {
 public:
@@ -56,34 +70,44 @@ public:
         : mesh_(mesh), positions_(positions), blocks_(blocks) {}
 
     // All of the vertex but the triangles' curvatures, which want its neighbours'. Its block is zero, or what was built
-    // before: then the overflow it has is used again.
-    void build(uint32_t rank);
+    // before: then the overflow it has is used again. Adds the edges opposite to obtuse angles at it to `edges`.
+    void build(uint32_t rank, std::pmr::deque<Corner>* edges);
+    // The lanes alone, by what writes them to a FanWriter.
+    template <class Write>
+    void build_lanes(uint32_t rank, Write write);
     // The triangles' curvatures.
     void finish(uint32_t rank);
     // Also those of its neighbours.
     void finish_around(uint32_t rank);
 
 private:
-    void add(uint32_t neighbour, float length, float tangent);
     GeodesicBlock& next_block();
-    void finish(float own, GeodesicBlock& block);
 
     const Mesh& mesh_;
     const GrowingBuffer<Position>& positions_;
     GeodesicBlocks& blocks_;
-    GeodesicBlock* block_ = nullptr;  // that is being filled
-    uint32_t used_ = 0;               // lanes of it
+    uint32_t rank_ = nowhere;  // that is being built
+    bool is_first_ = true;     // no block of it is filled yet
     // The vertex's stretch of the overflow, and how many blocks of it are filled.
     size_t overflow_begin_ = 0, overflow_size_ = 0, overflow_used_ = 0;
 };
 
-// In double: curvature is what remains of differences of nearly equal numbers.
-void FanBuilder::build(uint32_t rank) {
-    block_ = &blocks_.blocks[rank];
-    overflow_begin_ = block_->continues() ? blocks_.overflow_of_rank[rank] : blocks_.overflow.size();
+template <class Write>
+void FanBuilder::build_lanes(uint32_t rank, Write write) {
+    const GeodesicBlock& before = blocks_.blocks[rank];
+    rank_ = rank;
+    is_first_ = true;
+    overflow_begin_ = before.continues() ? blocks_.overflow_of_rank[rank] : blocks_.overflow.size();
     overflow_size_ = overflow_used_ = 0;
     visit_blocks(blocks_, rank, [&](const GeodesicBlock&, uint32_t first_lane) { overflow_size_ += first_lane; });
-    used_ = 0;
+    FanWriter writer([this]() -> GeodesicBlock& { return next_block(); });
+    write(writer);
+    blocks_.overflow_of_rank[rank] = static_cast<uint32_t>(overflow_begin_);
+    visit_edges(blocks_, rank, [this](float length) { blocks_.edges.add(length); });
+}
+
+// In double: curvature is what remains of differences of nearly equal numbers.
+void FanBuilder::build(uint32_t rank, std::pmr::deque<Corner>* edges) {
     const uint32_t vertex = blocks_.vertex_of_rank[rank];
     const Vec3 centre = load_vec3(positions_[vertex].data());
     uint32_t first = no_index, last = no_index;
@@ -91,36 +115,38 @@ void FanBuilder::build(uint32_t rank) {
     double length_before = 0, twice_area = 0;
     float tangent = 0;
     AngleSum angle;
-    visit_fan(
-        mesh_, vertex, [&](uint32_t neighbour) __attribute__((always_inline)) {
-            const Vec3 edge = load_vec3(positions_[neighbour].data()) - centre;
-            const double length = edge.norm();
-            if (last == no_index) {
-                first = neighbour;
-            } else {
-                const double dot = before.dot(edge), cross = before.cross(edge).norm(),
-                             product = length * length_before;
-                if (product > 0) angle.add(dot / product, cross / product);
-                twice_area += cross;
-                tangent = cross > 0 ? static_cast<float>(std::min(cross / (product + dot), tangent_max)) : 0.0f;
-            }
-            add(blocks_.rank_of_vertex[neighbour], static_cast<float>(length), tangent);
-            last = neighbour;
-            before = edge;
-            length_before = length;
-        });
-    for (uint32_t lane = used_; lane < lane_count; ++lane) {
-        block_->lanes[lane] = nowhere;
-        block_->lengths[lane] = no_length;
-    }
-    std::fill(block_->tangents.begin() + used_ - 1, block_->tangents.end(), 0.0f);
-    blocks_.overflow_of_rank[rank] = static_cast<uint32_t>(overflow_begin_);
+    build_lanes(rank, [&](auto& writer) {
+        visit_fan(
+            mesh_, vertex, [&](uint32_t neighbour, Corner opposite) __attribute__((always_inline)) {
+                const Vec3 edge = load_vec3(positions_[neighbour].data()) - centre;
+                const double length = edge.norm();
+                if (last == no_index) {
+                    first = neighbour;
+                } else {
+                    const double dot = before.dot(edge), cross = before.cross(edge).norm(),
+                                 product = length * length_before;
+                    if (product > 0) angle.add(dot / product, cross / product);
+                    twice_area += cross;
+                    tangent = cross > 0 ? static_cast<float>(std::min(cross / (product + dot), tangent_max)) : 0.0f;
+                    if (tangent > obtuse_half_tangent && edges != nullptr) edges->push_back(opposite);
+                }
+                writer.add(blocks_.rank_of_vertex[neighbour], static_cast<float>(length), tangent);
+                last = neighbour;
+                before = edge;
+                length_before = length;
+            });
+        writer.end();
+    });
     const double lacking = 2 * std::numbers::pi - angle.value();
     blocks_.curvatures[rank] = first == last && twice_area > 0 ? static_cast<float>(6 * lacking / twice_area) : 0.0f;
 }
 
 // The stretch grows at the overflow's end: if it lies elsewhere, it moves there.
 GeodesicBlock& FanBuilder::next_block() {
+    if (is_first_) {
+        is_first_ = false;
+        return blocks_.blocks[rank_];
+    }
     auto& overflow = blocks_.overflow;
     if (overflow_used_ == overflow_size_) {
         if (overflow_begin_ + overflow_size_ != overflow.size()) {
@@ -134,41 +160,12 @@ GeodesicBlock& FanBuilder::next_block() {
     return overflow[overflow_begin_ + overflow_used_++];
 }
 
-// `tangent` is that of the triangle before the neighbour.
-void FanBuilder::add(uint32_t neighbour, float length, float tangent) {
-    if (used_ == lane_count) {
-        const uint32_t shared = block_->lanes[lane_count - 1];
-        const float shared_length = block_->lengths[lane_count - 1];
-        block_->lanes[lane_count - 1] |= block_continues;
-        block_->tangents[lane_count - 1] = 0;
-        block_ = &next_block();
-        block_->lanes[0] = shared;
-        block_->lengths[0] = shared_length;
-        used_ = 1;
-    }
-    if (used_ > 0) block_->tangents[used_ - 1] = tangent;
-    block_->lanes[used_] = neighbour;
-    block_->lengths[used_++] = length;
-    blocks_.edges.add(length);
-}
-
 void FanBuilder::finish(uint32_t rank) {
-    const float own = blocks_.curvatures[rank];
-    finish(own, blocks_.blocks[rank]);
+    set_curvatures(blocks_, rank, blocks_.blocks[rank]);
     if (!blocks_.blocks[rank].continues()) return;
     for (size_t i = blocks_.overflow_of_rank[rank];; ++i) {
-        finish(own, blocks_.overflow[i]);
+        set_curvatures(blocks_, rank, blocks_.overflow[i]);
         if (!blocks_.overflow[i].continues()) return;
-    }
-}
-
-// Where there is no triangle, the edge's.
-void FanBuilder::finish(float own, GeodesicBlock& block) {
-    float at_lane = blocks_.curvatures[block.rank(0)];
-    for (uint32_t lane = 0; lane < lane_count; ++lane) {
-        const float at_next = lane + 1 < lane_count ? blocks_.curvatures[block.rank(lane + 1)] : 0.0f;
-        block.curvatures[lane] = block.tangents[lane] > 0 ? (own + at_lane + at_next) / 3 : (own + at_lane) / 2;
-        at_lane = at_next;
     }
 }
 
@@ -181,12 +178,45 @@ void FanBuilder::finish_around(uint32_t rank) {
     });
 }
 
-// Takes the vertex's edges out of the scale.
-void forget(GeodesicBlocks& blocks, uint32_t rank) {
-    visit_blocks(blocks, rank, [&](const GeodesicBlock& block, uint32_t first_lane) {
-        for (uint32_t lane = first_lane; lane < lane_count; ++lane) {
-            if (block.rank(lane) != nowhere) blocks.edges.remove(block.lengths[lane]);
+void give_up_group(const IntrinsicTriangles& flipped, uint32_t triangle, FlipRequest& request) {
+    if (flipped.find(triangle)) request.given_up.push_back(triangle);
+}
+
+// The groups of a vertex's triangles, and the edges of these that an obtuse angle lies across from.
+void request_flips_around(const Mesh& mesh, const IntrinsicTriangles& flipped, uint32_t vertex, FlipRequest& request) {
+    const auto position = [&](Corner corner) { return mesh.position(mesh.vertex_at(corner)); };
+    const Corner first = mesh.corner_of_vertex[vertex];
+    for (Corner corner = first;;) {
+        give_up_group(flipped, triangle_of(corner), request);
+        if (const Corner across = mesh.opposite(next_corner(corner)); across != no_index) {
+            const Vec3 apex = position(previous_corner(across)), a = position(across) - apex,
+                       b = position(next_corner(across)) - apex;
+            if (a.dot(b) < 0) request.edges.push_back(across);
         }
+        corner = mesh.turn(corner);
+        if (corner == first || corner == no_index) return;
+    }
+}
+
+// Flips edges, and brings the fans of the vertices around up to date, to their triangles' curvatures.
+Task<void> flip_fans(Pace& pace, const Mesh& mesh, const GrowingBuffer<Position>& positions, FlipRequest& request,
+                     GeodesicBlocks& blocks) {
+    const IntrinsicSurface surface{.mesh = mesh, .positions = positions, .flipped = &blocks.flipped};
+    const std::pmr::deque<uint32_t> changed = co_await flip_edges(pace, surface, request, blocks.flipped);
+    const Buffer<CornerOfVertex> corners = co_await corners_by_vertex(pace, surface, changed);
+    FanBuilder fans(mesh, positions, blocks);
+    IntrinsicFan fan(blocks, surface, pace.memory());
+    co_await each(pace, corners.size(), Cost::microseconds, [&](uint32_t i) {
+        const auto [vertex, corner] = corners[i];
+        if (i > 0 && corners[i - 1].vertex == vertex) return;
+        const uint32_t rank = blocks.rank_of_vertex[vertex];
+        forget(blocks, rank);
+        if (fan.gather(vertex, {&corner, 1})) {
+            fans.build_lanes(rank, [&](auto& writer) { fan.write(writer); });
+        } else {
+            fans.build(rank, nullptr);
+        }
+        fans.finish(rank);
     });
 }
 
@@ -224,6 +254,17 @@ Task<void> make_room(Pace& pace, GeodesicBlocks& blocks, size_t ranks) {
 }
 
 }  // namespace
+
+// Where there is no triangle, the edge's.
+void set_curvatures(const GeodesicBlocks& blocks, uint32_t rank, GeodesicBlock& block) {
+    const float own = blocks.curvatures[rank];
+    float at_lane = blocks.curvatures[block.rank(0)];
+    for (uint32_t lane = 0; lane < lane_count; ++lane) {
+        const float at_next = lane + 1 < lane_count ? blocks.curvatures[block.rank(lane + 1)] : 0.0f;
+        block.curvatures[lane] = block.tangents[lane] > 0 ? (own + at_lane + at_next) / 3 : (own + at_lane) / 2;
+        at_lane = at_next;
+    }
+}
 
 void EdgeScale::add(float length) {
     sum_ += std::bit_cast<uint32_t>(length);
@@ -263,6 +304,7 @@ Task<GeodesicBlocks> make_blocks(Pace& pace, const Mesh& mesh, const GrowingBuff
         });
     }
     FanBuilder fans(mesh, positions, blocks);
+    FlipRequest request(memory);
     co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t i) {
         if (i % fans_fetched == 0) {
             const uint32_t* vertex_of_rank = &blocks.vertex_of_rank[i + 1];
@@ -270,9 +312,11 @@ Task<GeodesicBlocks> make_blocks(Pace& pace, const Mesh& mesh, const GrowingBuff
                 mesh, positions, blocks, [=](uint32_t k) { return vertex_of_rank[k]; }, vertices - i);
         }
         blocks.blocks[i + 1].lanes[lane_count - 1] = nowhere;
-        fans.build(i + 1);
+        fans.build(i + 1, &request.edges);
     });
     co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t i) { fans.finish(i + 1); });
+    blocks.triangle_count = mesh.triangle_count();
+    co_await flip_fans(pace, mesh, positions, request, blocks);
     co_return blocks;
 }
 
@@ -302,66 +346,24 @@ Task<void> update_blocks(Pace& pace, const Mesh& mesh, const std::pmr::deque<uin
     co_await each(pace, touched.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
         if (const uint32_t rank = old_rank(i); rank != nowhere) forget(blocks, rank);
     });
-    co_await each(pace, touched.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
-        if (const uint32_t rank = old_rank(i); rank != nowhere) fans.build(rank);
+    FlipRequest request(pace.memory());
+    co_await each(pace, mesh.triangle_count(), std::max(blocks.triangle_count, mesh.triangle_count()), Cost::some_ns,
+                  [&](uint32_t triangle) { give_up_group(blocks.flipped, triangle, request); });
+    blocks.triangle_count = mesh.triangle_count();
+    const auto rebuild = [&](uint32_t rank) {
+        fans.build(rank, &request.edges);
+        request_flips_around(mesh, blocks.flipped, blocks.vertex_of_rank[rank], request);
+    };
+    co_await each(pace, touched.size(), Cost::microseconds, [&](uint32_t i) {
+        if (const uint32_t rank = old_rank(i); rank != nowhere) rebuild(rank);
     });
-    co_await each(pace, added, Cost::hundreds_of_ns,
-                  [&](uint32_t i) { fans.build(blocks.rank_of_vertex[before + i]); });
+    co_await each(pace, added, Cost::microseconds, [&](uint32_t i) { rebuild(blocks.rank_of_vertex[before + i]); });
+    co_await flip_fans(pace, mesh, mesh.positions, request, blocks);
     co_await each(pace, touched.size(), Cost::microseconds, [&](uint32_t i) {
         if (const uint32_t rank = old_rank(i); rank != nowhere) fans.finish_around(rank);
     });
     co_await each(pace, added, Cost::microseconds,
                   [&](uint32_t i) { fans.finish_around(blocks.rank_of_vertex[before + i]); });
-}
-
-// The triangles between lanes are in the order of the fan's corners. Lanes of no triangle inside are closed themselves.
-void GeodesicRegion::close(const Mesh& mesh, const GeodesicBlocks& blocks, const RegionSet& within, uint32_t vertex) {
-    const uint32_t rank = blocks.rank_of_vertex[vertex];
-    if (find(rank) != nullptr) return;
-    uint32_t slot = slot_of(rank);
-    while (slots_[slot & mask_].rank != nowhere) ++slot;
-    slots_[slot & mask_] = {rank, static_cast<uint32_t>(blocks_.size())};
-
-    Corner corner = mesh.corner_of_vertex[vertex];
-    visit_blocks(blocks, rank, [&](const GeodesicBlock& block, uint32_t) {
-        GeodesicBlock& closed = blocks_.emplace_back(block);
-        bool before = false;
-        for (uint32_t lane = 0; lane < lane_count; ++lane) {
-            const bool has_triangle = lane + 1 < lane_count && block.rank(lane + 1) != nowhere;
-            const bool inside = has_triangle && within.contains(mesh.regions[triangle_of(corner)]);
-            if (!inside) closed.tangents[lane] = 0;
-            if (!inside && !before) closed.close(lane);
-            before = inside;
-            if (has_triangle) corner = mesh.turn(corner);
-        }
-    });
-}
-
-Task<GeodesicRegion> bound_region(Pace& pace, const Mesh& mesh, const GeodesicBlocks& blocks, const RegionSet& within) {
-    GeodesicRegion region(pace.memory());
-    if (within.all()) co_return region;
-    // A fan that is partly outside has an edge between its inner and outer triangles.
-    std::pmr::deque<uint32_t> ends(pace.memory());  // some more than once
-    RegionCursor cursor(mesh, within);
-    const auto find_ends = [&](uint32_t triangle) {
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t neighbour = mesh.neighbours[triangle][k];
-            if (neighbour == no_index || within.contains(mesh.regions[neighbour])) continue;
-            ends.push_back(mesh.triangles[triangle][k]);
-            ends.push_back(mesh.triangles[triangle][(k + 1) % 3]);
-        }
-    };
-    co_await repeat(pace, Cost::tens_of_ns, [&] {
-        if (const uint32_t triangle = cursor.next(); triangle != no_index) find_ends(triangle);
-        return !cursor.at_end();
-    });
-    if (ends.empty()) co_return region;
-    region.slots_ = Buffer<GeodesicRegion::Slot>(std::bit_ceil(2 * ends.size()), pace.memory());
-    region.mask_ = static_cast<uint32_t>(region.slots_.size()) - 1;
-    co_await each(pace, region.slots_.size(), Cost::some_ns, [&](uint32_t i) { region.slots_[i] = {nowhere, 0}; });
-    co_await each(pace, ends.size(), Cost::hundreds_of_ns,
-                  [&](uint32_t i) { region.close(mesh, blocks, within, ends[i]); });
-    co_return region;
 }
 
 }  // namespace flg

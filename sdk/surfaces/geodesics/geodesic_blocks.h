@@ -6,6 +6,9 @@
 // Invariants
 // - The lanes of a vertex are its neighbours counter-clockwise; lanes l and l + 1 span a triangle with it. A closed fan
 //   repeats its first neighbour at the end. Lanes behind the fan's end are `nowhere`.
+// - Where triangles are obtuse the fan is that of the flipped ones (intrinsic_triangles.h). Behind it then stand, with no
+//   triangles between them, the neighbours along edges of the mesh that were flipped: no distance exceeds that along
+//   edges.
 // - Fans of more than eight lanes go on in the overflow: each further block begins with the last lane of the one
 //   before. The top bit of a block's last lane says that another follows: the first overflow block of a vertex is at
 //   overflow_of_rank, further ones are behind it.
@@ -18,8 +21,8 @@
 
 #include "runtime/pace.h"
 #include "runtime/task.h"
+#include "surfaces/geodesics/intrinsic_triangles.h"
 #include "surfaces/mesh/mesh.h"
-#include "surfaces/mesh/region_set.h"
 
 namespace flg {
 
@@ -38,6 +41,14 @@ struct alignas(64) GeodesicBlock {
 
     bool continues() const { return (lanes[lane_count - 1] & block_continues) != 0; }
     uint32_t rank(uint32_t lane) const { return lanes[lane] & ~block_continues; }
+    // Metres; of lanes that are not `nowhere`.
+    float longest_edge() const {
+        float longest = 0;
+        for (uint32_t lane = 0; lane < lane_count; ++lane) {
+            if (rank(lane) != nowhere && lengths[lane] > longest) longest = lengths[lane];
+        }
+        return longest;
+    }
     // Nobody is reached through the lane any more.
     void close(uint32_t lane) {
         lanes[lane] = nowhere | (lanes[lane] & block_continues);
@@ -70,7 +81,8 @@ struct GeodesicBlocks {
           overflow_of_rank(memory),
           curvatures(memory),
           rank_of_vertex(memory),
-          vertex_of_rank(memory) {}
+          vertex_of_rank(memory),
+          flipped(memory) {}
 
     // Ranks run from 1 to rank_count() - 1. (Vertices that were taken back leave theirs unused.)
     uint32_t rank_count() const { return static_cast<uint32_t>(blocks.size()); }
@@ -85,7 +97,12 @@ struct GeodesicBlocks {
     GrowingBuffer<uint32_t> rank_of_vertex;
     GrowingBuffer<uint32_t> vertex_of_rank;
     EdgeScale edges;  // each inner edge counts at least twice
+    IntrinsicTriangles flipped;
+    uint32_t triangle_count = 0;  // of the mesh
 };
+
+// The triangles' curvatures in a block of a vertex; lanes are set.
+void set_curvatures(const GeodesicBlocks& blocks, uint32_t rank, GeodesicBlock& block);
 
 // The blocks of a vertex, each with its first lane that no block before it has.
 template <class Visit>
@@ -111,44 +128,5 @@ Task<GeodesicBlocks> make_blocks(Pace& pace, const Mesh& mesh, const GrowingBuff
 // about 1 us a vertex that is touched or added, and a copy of the blocks when their room is used up.
 Task<void> update_blocks(Pace& pace, const Mesh& mesh, const std::pmr::deque<uint32_t>& touched,
                          GeodesicBlocks& blocks);
-
-// Blocks of a surface that keeps to some regions: where the regions end, copies of the blocks in which the triangles
-// outside are closed. Everywhere else no path leads out, so the surface's own blocks serve.
-// Memory: 130 bytes a vertex where the regions end. As long as neither the mesh nor its blocks change.
-class GeodesicRegion {
-public:
-    explicit GeodesicRegion(Memory* memory) : blocks_(memory) {}
-
-    // The vertex's own blocks within the regions: the first, and behind it those it continues in; null: the surface's.
-    const GeodesicBlock* find(uint32_t rank) const {
-        if (slots_.empty()) return nullptr;
-        for (uint32_t slot = slot_of(rank);; ++slot) {
-            const Slot& found = slots_[slot & mask_];
-            if (found.rank == rank) return &blocks_[found.block];
-            if (found.rank == nowhere) return nullptr;
-        }
-    }
-    // The block behind one of find(): `number` counts from the vertex's first.
-    const GeodesicBlock& block(uint32_t rank, uint32_t number) const {
-        uint32_t slot = slot_of(rank);
-        while (slots_[slot & mask_].rank != rank) ++slot;
-        return blocks_[slots_[slot & mask_].block + number];
-    }
-
-private:
-    friend Task<GeodesicRegion> bound_region(Pace&, const Mesh&, const GeodesicBlocks&, const RegionSet&);
-    struct Slot {
-        uint32_t rank, block;
-    };
-    uint32_t slot_of(uint32_t rank) const { return (rank * 0x9e3779b1u) >> 8; }
-    // Closes the triangles of the vertex that lie outside.
-    void close(const Mesh& mesh, const GeodesicBlocks& blocks, const RegionSet& within, uint32_t vertex);
-
-    std::pmr::deque<GeodesicBlock> blocks_;
-    Buffer<Slot> slots_;  // a hash table, at most half full; its size is a power of two
-    uint32_t mask_ = 0;
-};
-
-Task<GeodesicRegion> bound_region(Pace& pace, const Mesh& mesh, const GeodesicBlocks& blocks, const RegionSet& within);
 
 }  // namespace flg

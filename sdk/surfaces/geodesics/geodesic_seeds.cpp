@@ -17,6 +17,9 @@ double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
+// Triangles beyond the one that holds the source.
+constexpr uint32_t max_strip = 4;
+
 // The plane of a triangle: its first corner is the origin, its second on the x axis, its third above it.
 struct Plane {
     Plane(const Vec3& a, const Vec3& b, const Vec3& c) : origin(a) {
@@ -145,16 +148,31 @@ void GeodesicSeeds::add_from_triangle(uint32_t triangle, const Vec3& begin, cons
         corners[k] = plane(position(vertices[k]));
         add(vertices[k], corners[k], foot_on_segment(corners[k], from, to), true);
     }
-    for (uint32_t k = 0; k < 3; ++k) {
-        const Corner across = mesh_.opposite(3 * triangle + k);
-        if (across == no_index || !within_.contains(mesh_.regions[triangle_of(across)])) continue;
+    // Straight ways through a strip of triangles, each of which crosses all the edges between them.
+    const uint32_t last = flipped_ && flipped_->find(triangle) ? max_strip : 1;
+    std::array<std::array<Vec2, 2>, max_strip> strip;
+    const auto follow = [&](const auto& self, Corner edge, const Vec2& a, const Vec2& b, const Vec2& inner,
+                            uint32_t number) -> void {
+        const Corner across = mesh_.opposite(edge);
+        if (across == no_index || !within_.contains(mesh_.regions[triangle_of(across)])) return;
+        strip[number] = {a, b};
         const uint32_t vertex = mesh_.vertex_at(previous_corner(across));
-        const uint32_t next = (k + 1) % 3;
         const Vec2 unfolded =
-            unfold(corners[k], corners[next], corners[(k + 2) % 3], (position(vertex) - position(vertices[k])).norm(),
-                   (position(vertex) - position(vertices[next])).norm());
+            unfold(a, b, inner, (position(vertex) - position(mesh_.vertex_at(edge))).norm(),
+                   (position(vertex) - position(mesh_.vertex_at(next_corner(edge)))).norm());
         const Foot foot = foot_on_segment(unfolded, from, to);
-        if (segments_cross(foot.point, unfolded, corners[k], corners[next])) add(vertex, unfolded, foot, false);
+        bool is_straight = true;
+        for (uint32_t i = 0; i <= number; ++i) {
+            is_straight = is_straight && segments_cross(foot.point, unfolded, strip[i][0], strip[i][1]);
+        }
+        if (is_straight) add(vertex, unfolded, foot, false);
+        if (number + 1 == last) return;
+        self(self, next_corner(across), a, unfolded, b, number + 1);
+        self(self, previous_corner(across), unfolded, b, a, number + 1);
+    };
+    for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t next = (k + 1) % 3;
+        follow(follow, 3 * triangle + k, corners[k], corners[next], corners[(k + 2) % 3], 0);
     }
 }
 
@@ -199,29 +217,19 @@ Task<void> add_border(Pace& pace, const Mesh& mesh, const RegionSet& regions, ui
 }
 
 Task<Buffer<Seed>> merge_seeds(Pace& pace, const std::pmr::deque<Seed>& found) {
-    Buffer<Seed> sorted(found.size(), pace.memory()), scratch(found.size(), pace.memory());
     uint32_t largest = 0;  // vertex
-    co_await each(pace, found.size(), Cost::some_ns, [&](uint32_t i) {
-        sorted[i] = found[i];
-        largest = std::max(largest, found[i].vertex);
-    });
-    // By the bytes of the vertex, from the lowest to the highest.
-    for (uint32_t shift = 0; shift < 32 && largest >> shift != 0; shift += 8) {
-        const Groups groups =
-            co_await group_by(pace, sorted.size(), 256, [&](uint32_t i) { return sorted[i].vertex >> shift & 255; });
-        co_await each(pace, sorted.size(), Cost::tens_of_ns, [&](uint32_t i) { scratch[i] = sorted[groups.items[i]]; });
-        std::swap(sorted, scratch);
-    }
+    co_await each(pace, found.size(), Cost::some_ns, [&](uint32_t i) { largest = std::max(largest, found[i].vertex); });
+    Buffer<Seed> sorted = co_await sort_by(pace, found, largest, [](const Seed& seed) { return seed.vertex; });
     uint32_t kept = 0;
     co_await each(pace, sorted.size(), Cost::some_ns, [&](uint32_t i) {
-        if (kept > 0 && scratch[kept - 1].vertex == sorted[i].vertex) {
-            if (sorted[i].distance < scratch[kept - 1].distance) scratch[kept - 1] = sorted[i];
+        if (kept > 0 && sorted[kept - 1].vertex == sorted[i].vertex) {
+            if (sorted[i].distance < sorted[kept - 1].distance) sorted[kept - 1] = sorted[i];
         } else {
-            scratch[kept++] = sorted[i];
+            sorted[kept++] = sorted[i];
         }
     });
     Buffer<Seed> seeds(kept, pace.memory());
-    co_await each(pace, kept, Cost::some_ns, [&](uint32_t i) { seeds[i] = scratch[i]; });
+    co_await each(pace, kept, Cost::some_ns, [&](uint32_t i) { seeds[i] = sorted[i]; });
     co_return seeds;
 }
 

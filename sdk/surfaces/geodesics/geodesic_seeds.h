@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From sources to seeds. A source is a vertex, a point on a face, a curve on the surface, or an edge; what solvers
 // start from are vertices and how far they are from it. Distances are straight ones within the triangle that holds the
-// source and, where the straight line leads there, across one edge of it into the neighbour: exact where no shorter way
-// leads around a vertex.
+// source and, where the straight line leads there, across one edge of it into the neighbour, or up to four where edges
+// were flipped: exact where no shorter way leads around a vertex.
 //
 // A seed also tells whether the front is straight or a circle when it comes by, and a wrong circle makes distances too
 // short all the way on. So what is nearest to the joint of two segments, but to neither's inside, is told by others.
@@ -13,6 +13,7 @@
 #include "runtime/pace.h"
 #include "runtime/task.h"
 #include "surfaces/geodesics/distance_field.h"
+#include "surfaces/geodesics/intrinsic_triangles.h"
 #include "surfaces/mesh/region_set.h"
 #include "surfaces/mesh/surface_curves.h"
 
@@ -22,9 +23,11 @@ namespace flg {
 // outside.
 class GeodesicSeeds {
 public:
-    // `positions`, one a vertex, may be others than the mesh's: those of the metric to measure in. All outlive this.
-    GeodesicSeeds(const Mesh& mesh, const GrowingBuffer<Position>& positions, const RegionSet& within, Memory* memory)
-        : mesh_(mesh), positions_(positions), within_(within), found_(memory) {}
+    // `positions`, one a vertex, may be others than the mesh's: those of the metric to measure in. `flipped`: triangles
+    // that the solver will unfold in place of the mesh's, or null. All outlive this.
+    GeodesicSeeds(const Mesh& mesh, const GrowingBuffer<Position>& positions, const RegionSet& within, Memory* memory,
+                  const IntrinsicTriangles* flipped = nullptr)
+        : mesh_(mesh), positions_(positions), within_(within), flipped_(flipped), found_(memory) {}
 
     // Each costs less than 1 us. A vertex must have a triangle within the regions: that is not checked.
     void add_vertex(uint32_t vertex, uint32_t label) { found_.push_back({vertex, 0, label}); }
@@ -54,6 +57,7 @@ private:
     const Mesh& mesh_;
     const GrowingBuffer<Position>& positions_;
     const RegionSet& within_;
+    const IntrinsicTriangles* flipped_;
     std::pmr::deque<Seed> found_;
 };
 

@@ -52,7 +52,13 @@ class FanWalk {
 public:
     FanWalk(const GeodesicBlock& block, uint32_t lane, bool forth) : block_(block), lane_(lane), forth_(forth) {
         while (last_ > 0 && block.rank(last_) == nowhere) --last_;
+        // Edges that were flipped stand behind the fan.
+        if (block.rank(0) != block.rank(last_)) {
+            last_ = 0;
+            while (last_ + 1 < lane_count && block.tangents[last_] > 0) ++last_;
+        }
         closed_ = last_ > 2 && block.rank(0) == block.rank(last_);
+        if (!closed_) last_ = lane_count - 1;
     }
     // False where the fan, or the block, has no further triangle.
     bool advance() {
@@ -144,10 +150,11 @@ void RefinedSolver::begin(std::span<const Seed> seeds, bool labelled, const Geod
     }
     if (labelled && labels_.size() < ranks) labels_ = Buffer<uint32_t>(blocks_.blocks.capacity(), memory_);
     labelled_ = labels_tell_fronts_ = labelled;
-    const float width = std::max(bucket_width * blocks_.edges.mean(), blocks_.edges.longest() / max_buckets);
+    longest_edge_ = std::max(blocks_.edges.longest(), region ? region->longest_edge() : 0.0f);
+    const float width = std::max(bucket_width * blocks_.edges.mean(), longest_edge_ / max_buckets);
     buckets_per_metre_ = 1 / width;
     bend_max_ = sharpest_bend / blocks_.edges.mean();
-    queue_.reset(static_cast<uint32_t>(blocks_.edges.longest() * buckets_per_metre_) + 3);
+    queue_.reset(static_cast<uint32_t>(longest_edge_ * buckets_per_metre_) + 3);
     fronts_meet_ = seeds.size() > 1;
 }
 
@@ -338,7 +345,7 @@ bool RefinedSolver::has_own_front(const Batch& batch, uint32_t place, WaveState&
 // edge is never below those at its ends. So what is within the limits, that far behind, is final.
 void RefinedSolver::next_bucket() {
     ++bucket_;
-    const float final = static_cast<float>(bucket_) / buckets_per_metre_ - blocks_.edges.longest();
+    const float final = static_cast<float>(bucket_) / buckets_per_metre_ - longest_edge_;
     if (queue_.size() == 0 || final > limits_->distance || targets_are_nearer_than(final)) {
         is_complete_ = true;
     }

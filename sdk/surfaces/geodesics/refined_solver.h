@@ -13,7 +13,7 @@
 
 #include "surfaces/geodesics/bucket_queue.h"
 #include "surfaces/geodesics/distance_field.h"
-#include "surfaces/geodesics/geodesic_blocks.h"
+#include "surfaces/geodesics/geodesic_region.h"
 #include "surfaces/geodesics/wave_step.h"
 
 namespace flg {
@@ -92,6 +92,7 @@ private:
     bool labelled_ = false;
     float buckets_per_metre_ = 1;
     float bend_max_ = 0;
+    float longest_edge_ = 0;
     bool fronts_meet_ = false;         // of more than one seed
     bool labels_tell_fronts_ = false;  // each source is a point: what has its label has its front
     bool any_beyond_ring_ = false;     // some wait in a bucket that is too near

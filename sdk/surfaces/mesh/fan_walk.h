@@ -18,19 +18,22 @@ inline uint32_t place_in(const Triple& triangle, uint32_t vertex) {
     return uint32_t{triangle[1] == vertex} + 2 * uint32_t{triangle[2] == vertex};
 }
 
-// The neighbours of a vertex counter-clockwise, of a closed fan the first again at the end.
+// take(neighbour, edge) for the neighbours of a vertex counter-clockwise, of a closed fan the first again at the end;
+// `edge`: from the neighbour before to this one, no_index at first.
 template <class Take>
 void visit_fan(const Mesh& mesh, uint32_t vertex, Take take) {
     const uint32_t first = triangle_of(mesh.corner_of_vertex[vertex]);
     uint32_t triangle = first, last;
+    Corner edge = no_index;
     do {
         const Triple& vertices = mesh.triangles[triangle];
         const uint32_t next = following_corner(place_in(vertices, vertex)), previous = following_corner(next);
-        take(vertices[next]);
+        take(vertices[next], edge);
         last = vertices[previous];
+        edge = 3 * triangle + next;
         triangle = mesh.neighbours[triangle][previous];
     } while (triangle != first && triangle != no_index);
-    take(last);
+    take(last, edge);
 }
 
 // Each triangle of a fan is found through the one before, and memory is slow: so of `count` fans that will be visited
