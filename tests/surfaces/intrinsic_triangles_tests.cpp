@@ -15,8 +15,7 @@ struct Flipped {
         FlipRequest request(test_memory());
         for (Corner edge = 0; edge < 3 * mesh.triangle_count(); ++edge) request.edges.push_back(edge);
         const IntrinsicSurface all = surface();
-        changed = run_haltingly(test_memory(),
-                                [&](Pace& pace) { return flip_edges(pace, all, request, triangles); });
+        changed = run_haltingly(test_memory(), [&](Pace& pace) { return flip_edges(pace, all, request, triangles); });
     }
     IntrinsicSurface surface() const { return {.mesh = mesh, .positions = mesh.positions, .flipped = &triangles}; }
 
@@ -57,8 +56,8 @@ TEST(IntrinsicTriangles, KnowEachOtherAndAreNowhereFarFromDelaunay) {
             const IntrinsicTriangle one = surface.triangle(triangle_of(edge)),
                                     other = surface.triangle(triangle_of(across));
             EXPECT_EQ(one.lengths[edge % 3], other.lengths[across % 3]);
-            const double angles = 2 * std::atan(one.half_tangent((edge + 2) % 3)) +
-                                  2 * std::atan(other.half_tangent((across + 2) % 3));
+            const double angles =
+                2 * std::atan(one.half_tangent((edge + 2) % 3)) + 2 * std::atan(other.half_tangent((across + 2) % 3));
             EXPECT_LT(angles, 1.1 * std::numbers::pi + 1e-6);
         }
     }

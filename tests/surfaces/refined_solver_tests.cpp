@@ -406,8 +406,8 @@ TEST(RefinedSolver, StaysWithinRegions) {
     Geodesics geodesics(mesh);
     const uint32_t inside[] = {0};
     const RegionSet within(inside, 1, test_memory());
-    const GeodesicRegion region =
-        run_haltingly(test_memory(), [&](Pace& pace) { return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within); });
+    const GeodesicRegion region = run_haltingly(
+        test_memory(), [&](Pace& pace) { return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within); });
     const auto distances = geodesics.distances({{0, 0, 0}}, {}, true, &region);
     for (uint32_t v = 0; v < distances.size(); ++v) {
         const Vec3 p = mesh.position(v);
@@ -462,9 +462,8 @@ TEST(RefinedSolver, StaysWithinRegionsOfStretchedTriangles) {
     ASSERT_FALSE(geodesics.blocks.flipped.empty());
     const uint32_t inside[] = {0};
     const RegionSet within(inside, 1, test_memory());
-    const GeodesicRegion region = run_haltingly(test_memory(), [&](Pace& pace) {
-        return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within);
-    });
+    const GeodesicRegion region = run_haltingly(
+        test_memory(), [&](Pace& pace) { return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within); });
     const auto distances = geodesics.distances({{0, 0, 0}}, {}, true, &region);
     for (uint32_t v = 0; v < distances.size(); ++v) {
         const Vec3 p = mesh.position(v);

@@ -14,7 +14,11 @@ class RegionBuilder {
 public:
     RegionBuilder(const Mesh& mesh, const GrowingBuffer<Position>& positions, const GeodesicBlocks& blocks,
                   const RegionSet& within, Memory* memory)
-        : mesh_(mesh), blocks_(blocks), ends_(memory), flipped_(memory), region_(memory),
+        : mesh_(mesh),
+          blocks_(blocks),
+          ends_(memory),
+          flipped_(memory),
+          region_(memory),
           surface_{mesh, positions, &within, &flipped_, &blocks.flipped} {}
 
     static Task<GeodesicRegion> build(Pace& pace, RegionBuilder& builder);

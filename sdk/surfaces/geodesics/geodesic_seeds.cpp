@@ -157,9 +157,8 @@ void GeodesicSeeds::add_from_triangle(uint32_t triangle, const Vec3& begin, cons
         if (across == no_index || !within_.contains(mesh_.regions[triangle_of(across)])) return;
         strip[number] = {a, b};
         const uint32_t vertex = mesh_.vertex_at(previous_corner(across));
-        const Vec2 unfolded =
-            unfold(a, b, inner, (position(vertex) - position(mesh_.vertex_at(edge))).norm(),
-                   (position(vertex) - position(mesh_.vertex_at(next_corner(edge)))).norm());
+        const Vec2 unfolded = unfold(a, b, inner, (position(vertex) - position(mesh_.vertex_at(edge))).norm(),
+                                     (position(vertex) - position(mesh_.vertex_at(next_corner(edge)))).norm());
         const Foot foot = foot_on_segment(unfolded, from, to);
         bool is_straight = true;
         for (uint32_t i = 0; i <= number; ++i) {

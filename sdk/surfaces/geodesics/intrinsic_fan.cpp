@@ -32,8 +32,8 @@ void IntrinsicFan::gather_stretch(Corner corner) {
         const IntrinsicTriangle triangle = surface_.triangle(triangle_of(at));
         is_flipped_ = is_flipped_ || triangle.vertices != surface_.mesh.triangles[triangle_of(at)];
         const uint32_t k = at % 3, next = following_corner(k), previous = following_corner(next);
-        lanes_.push_back({blocks_.rank_of_vertex[triangle.vertices[next]], static_cast<float>(triangle.lengths[k]),
-                          tangent});
+        lanes_.push_back(
+            {blocks_.rank_of_vertex[triangle.vertices[next]], static_cast<float>(triangle.lengths[k]), tangent});
         corners_.push_back(at);
         tangent = static_cast<float>(triangle.half_tangent(k));
         at = surface_.turn(at);

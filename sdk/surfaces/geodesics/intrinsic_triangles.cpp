@@ -105,12 +105,7 @@ double Quadrilateral::other_diagonal(bool& is_inside) const {
 class EdgeFlipper {
 public:
     EdgeFlipper(const IntrinsicSurface& surface, FlipRequest& request, IntrinsicTriangles& flipped, Memory* memory)
-        : surface_(surface),
-          flipped_(flipped),
-          request_(request),
-          dissolved_(memory),
-          made_(memory),
-          queue_(memory) {}
+        : surface_(surface), flipped_(flipped), request_(request), dissolved_(memory), made_(memory), queue_(memory) {}
 
     static Task<std::pmr::deque<uint32_t>> run(Pace& pace, EdgeFlipper& flipper);
 
@@ -186,9 +181,8 @@ Task<std::pmr::deque<uint32_t>> EdgeFlipper::run(Pace& pace, EdgeFlipper& flippe
         // From the beginning, with all groups that were met: as if they had never been.
         const size_t dissolved = flipper.dissolved_.size();
         ++flipped.run_;
-        co_await each(pace, flipper.made_.size(), Cost::tens_of_ns, [&](uint32_t i) {
-            flipped.members_[flipped.table_.find(flipper.made_[i])].is_used = false;
-        });
+        co_await each(pace, flipper.made_.size(), Cost::tens_of_ns,
+                      [&](uint32_t i) { flipped.members_[flipped.table_.find(flipper.made_[i])].is_used = false; });
         flipper.made_.clear();
         flipper.queue_.clear();
         co_await repeat(pace, Cost::tens_of_ns, [&] { return flipper.dissolve_next(); });
@@ -239,8 +233,8 @@ bool EdgeFlipper::flip_next() {
     if (!is_inside) return true;
     bool are_free = is_free(upper) && is_free(lower);
     for (uint32_t k = 1; k < 3; ++k) {
-        for (const Corner outer : {quad.upper.across[(quad.upper_edge + k) % 3],
-                                   quad.lower.across[(quad.lower_edge + k) % 3]}) {
+        for (const Corner outer :
+             {quad.upper.across[(quad.upper_edge + k) % 3], quad.lower.across[(quad.lower_edge + k) % 3]}) {
             if (outer != no_index) are_free = are_free && is_free(triangle_of(outer));
         }
     }

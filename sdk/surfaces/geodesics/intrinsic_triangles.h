@@ -65,9 +65,9 @@ private:
 // A surface as flips see it. Of regions, what lies beyond them is not there.
 struct IntrinsicSurface {
     const Mesh& mesh;
-    const GrowingBuffer<Position>& positions;          // of the metric
-    const RegionSet* within = nullptr;                 // null: all
-    const IntrinsicTriangles* flipped = nullptr;       // null: none
+    const GrowingBuffer<Position>& positions;            // of the metric
+    const RegionSet* within = nullptr;                   // null: all
+    const IntrinsicTriangles* flipped = nullptr;         // null: none
     const IntrinsicTriangles* flipped_before = nullptr;  // what holds of triangles that are not in `flipped`
 
     bool contains(uint32_t triangle) const { return !within || within->contains(mesh.regions[triangle]); }

@@ -29,7 +29,8 @@ public:
     static Task<void> reserve(Pace& pace, IndexTable& table, size_t more) {
         if (table.has_room(more)) co_return;
         const Buffer<Slot> before = std::move(table.slots_);
-        table.slots_ = Buffer<Slot>(std::bit_ceil(std::max(2 * (table.size_ + more), before.size() + 1)), pace.memory());
+        table.slots_ =
+            Buffer<Slot>(std::bit_ceil(std::max(2 * (table.size_ + more), before.size() + 1)), pace.memory());
         table.mask_ = static_cast<uint32_t>(table.slots_.size()) - 1;
         table.size_ = 0;
         co_await each(pace, table.slots_.size(), Cost::some_ns, [&](uint32_t i) { table.slots_[i] = {}; });
