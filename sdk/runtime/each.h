@@ -155,8 +155,8 @@ Task<Groups> group_by(Pace& pace, size_t count, size_t keys, KeyOf key_of) {
     co_return groups;
 }
 
-// Items, those of lower keys first, those of one key in their order; keys are at most `largest`. A pass over all of them
-// for each byte of that.
+// Items, those of lower keys first, those of one key in their order; keys are at most `largest`. A pass over all of
+// them for each byte of that.
 template <class T, class KeyOf>
 Task<Buffer<T>> sort_by(Pace& pace, const std::pmr::deque<T>& items, uint32_t largest, KeyOf key_of) {
     Buffer<T> sorted(items.size(), pace.memory()), scratch(items.size(), pace.memory());

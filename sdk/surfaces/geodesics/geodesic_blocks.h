@@ -6,8 +6,8 @@
 // Invariants
 // - The lanes of a vertex are its neighbours counter-clockwise; lanes l and l + 1 span a triangle with it. A closed fan
 //   repeats its first neighbour at the end. Lanes behind the fan's end are `nowhere`.
-// - Where triangles are obtuse the fan is that of the flipped ones (intrinsic_triangles.h). Behind it then stand, with no
-//   triangles between them, the neighbours along edges of the mesh that were flipped: no distance exceeds that along
+// - Where triangles are obtuse the fan is that of the flipped ones (intrinsic_triangles.h). Behind it then stand, with
+//   no triangles between them, the neighbours along edges of the mesh that were flipped: no distance exceeds that along
 //   edges.
 // - Fans of more than eight lanes go on in the overflow: each further block begins with the last lane of the one
 //   before. The top bit of a block's last lane says that another follows: the first overflow block of a vertex is at

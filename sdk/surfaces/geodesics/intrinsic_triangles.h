@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Other triangles for the same surface, where its own are too obtuse to measure distances with: edges are flipped within
-// the surface, whose shape and mesh stay as they are. (Fisher, Springborn, Bobenko, Schroeder: An algorithm for the
-// construction of intrinsic Delaunay triangulations, 2006.) Departure: an edge is flipped where the angles opposite to it
-// exceed 1.1 half turns together, not 1. So meshes that are nearly Delaunay stay as they are.
+// Other triangles for the same surface, where its own are too obtuse to measure distances with: edges are flipped
+// within the surface, whose shape and mesh stay as they are. (Fisher, Springborn, Bobenko, Schroeder: An algorithm for
+// the construction of intrinsic Delaunay triangulations, 2006.) Departure: an edge is flipped where the angles opposite
+// to it exceed 1.1 half turns together, not 1. So meshes that are nearly Delaunay stay as they are.
 //
 // Invariants
 // - A flip takes two triangles and gives two, under the same numbers. Triangles that are not here are the mesh's.
