@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rows of equal width that together are too large for one piece of memory: it would take milliseconds to give back. They
-// lie in blocks of some 64 KiB, each taken when one of its rows is made. Within a block rows follow each other.
+// Rows of equal width that together are too large for one piece of memory: it would take milliseconds to give back.
+// They lie in blocks of some 64 KiB, each taken when one of its rows is made. Within a block rows follow each other.
 #pragma once
 
 #include <algorithm>

@@ -54,8 +54,8 @@ struct SplineEnd {
 // `normals`: the projection onto them; the identity where a derivative is prescribed, 0 where the surface fills R^n or
 // the end may move.
 //
-// Invariants: exact for splines, cubic or in tension, with breaks at given points; E2 >= 0; linear in the points but for
-// the ends' slopes.
+// Invariants: exact for splines, cubic or in tension, with breaks at given points; E2 >= 0; linear in the points but
+// for the ends' slopes.
 class Moments {
 public:
     // `nodes` points of R^n, at least 2, in a cycle 3. `tension`: w of E_t, 0 for cubic splines.
