@@ -7,8 +7,24 @@
 #include <iterator>
 
 #include "documents/failure.h"
+#include "documents/text_lines.h"
 
 namespace flg::cli {
+
+namespace {
+
+// What the parser says, with no more of the file than fits a sentence.
+std::string sentence_of(const std::string& what) {
+    constexpr std::string_view before = "last read: '", after = "'; expected";
+    const size_t begin = what.find(before);
+    if (begin == what.npos) return what;
+    const size_t token = begin + before.size(), end = what.rfind(after);
+    const bool has_end = end != what.npos && end >= token;
+    const std::string rest = has_end ? what.substr(end + 1) : "";
+    return what.substr(0, token - 1) + quoted_line(what.substr(token, has_end ? end - token : what.npos)) + rest;
+}
+
+}  // namespace
 
 nlohmann::json JsonPlace::read(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -16,7 +32,7 @@ nlohmann::json JsonPlace::read(const std::string& file) {
     try {
         return nlohmann::json::parse(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(file + ": " + error.what());
+        throw InputError(file + ": " + sentence_of(error.what()));
     }
 }
 
@@ -27,7 +43,7 @@ void JsonPlace::fail(const std::string& what) const {
 void JsonPlace::allow(std::initializer_list<const char*> keys) const {
     if (!value_->is_object()) fail("must be an object");
     for (const auto& [key, value] : value_->items()) {
-        if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail("does not know `" + key + "`");
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail("does not know `" + shortened(key) + "`");
     }
 }
 
@@ -87,7 +103,7 @@ size_t JsonPlace::word(std::span<const char* const> words) const {
     if (found != words.end()) return static_cast<size_t>(found - words.begin());
     std::string list;
     for (const char* word : words) list += std::string(list.empty() ? "" : ", ") + word;
-    fail("is `" + text + "`, must be one of " + list);
+    fail("is `" + shortened(text) + "`, must be one of " + list);
 }
 
 }  // namespace flg::cli

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "documents/failure.h"
+#include "documents/text_lines.h"
 
 namespace flg::cli {
 namespace {
@@ -67,11 +68,11 @@ PlaceFinder::PlaceFinder(const MeshSurface& surface, const std::string& option)
 uint32_t PlaceFinder::vertex(const Place& place) const {
     const uint32_t count = surface_.file().info().vertex_count;
     if (*place.vertex >= count) {
-        throw InputError(subject_ + ": there is no vertex " + place.text + ", they are 0 to " +
+        throw InputError(subject_ + ": there is no vertex " + shortened(place.text) + ", they are 0 to " +
                          std::to_string(count - 1));
     }
     const uint32_t vertex = surface_.vertex_of_input(*place.vertex);
-    if (vertex == FLG_NO_INDEX) throw InputError(subject_ + ": vertex " + place.text + " is in no triangle");
+    if (vertex == FLG_NO_INDEX) throw InputError(subject_ + ": vertex " + shortened(place.text) + " is in no triangle");
     return vertex;
 }
 

@@ -6,6 +6,7 @@
 
 #include "documents/failure.h"
 #include "documents/json_color.h"
+#include "documents/text_lines.h"
 
 namespace flg::cli {
 namespace {
@@ -164,7 +165,7 @@ JointEdit read_joint_edit(const JsonPlace& item) {
 uint32_t part_named(const ModelDrawing& drawing, const std::string& name, const std::string& subject) {
     for (uint32_t p = 0; p < drawing.parts.size(); ++p)
         if (drawing.parts[p].name == name) return p;
-    throw InputError(subject + ": there is no part " + name);
+    throw InputError(subject + ": there is no part " + shortened(name));
 }
 
 }  // namespace

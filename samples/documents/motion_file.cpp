@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "documents/motion_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,14 +41,55 @@ std::vector<double> pose_of(const JsonPlace& key) {
 }
 
 void read_keys(const JsonPlace& list, MotionFile& file) {
+    bool eased = false;
     for (const JsonPlace& key : list.items()) {
-        key.allow({"time", "pose", "position", "rotation"});
-        file.times.push_back(key.at("time").real(-largest, largest));
+        key.allow({"time", "pose", "position", "rotation", "ease_in", "ease_out"});
+        if (file.desc.timing == FLG_MOTION_TIMING_GIVEN) file.times.push_back(key.at("time").real(-largest, largest));
+        for (const char* name : {"ease_in", "ease_out"}) {
+            const auto ease = key.find(name);
+            file.eases.push_back(ease ? ease->real(0, 1) : 0);
+            eased = eased || ease;
+        }
         const auto pose = key.find("pose");
         if (pose && (key.find("position") || key.find("rotation")))
             key.fail("has a `pose` and another one in `position` and `rotation`");
         append(file.poses, pose ? read_numbers(*pose, 12) : pose_of(key));
     }
+    if (!eased) file.eases.clear();
+}
+
+void read_limits(const JsonPlace& limits, FlgMotionDesc& desc) {
+    limits.allow({"speed", "acceleration", "turn", "turn_acceleration"});
+    if (const auto place = limits.find("speed")) desc.max_speed = place->real(0, largest);
+    if (const auto place = limits.find("acceleration")) desc.max_acceleration = place->real(0, largest);
+    if (const auto place = limits.find("turn")) desc.max_turn = place->real(0, largest);
+    if (const auto place = limits.find("turn_acceleration")) desc.max_turn_acceleration = place->real(0, largest);
+}
+
+void read_look(const JsonPlace& look, MotionFile& file) {
+    FlgMotionDesc& desc = file.desc;
+    look.allow({"at", "points", "times", "path", "up", "bank", "bank_time"});
+    const auto at = look.find("at"), points = look.find("points"), path = look.find("path"), times = look.find("times");
+    if (int{at.has_value()} + int{points.has_value()} + int{path.has_value()} != 1)
+        look.fail("needs one of `at`, `points` and `path`");
+    desc.look = path ? FLG_MOTION_LOOK_PATH : FLG_MOTION_LOOK_TARGET;
+    if (path && !path->flag()) path->fail("must be true");
+    if (at) append(file.look_points, read_numbers(*at, 3));
+    if (points) {
+        for (const JsonPlace& point : points->items()) append(file.look_points, read_numbers(point, 3));
+        if (file.look_points.empty()) points->fail("is empty");
+    }
+    if (times) {
+        if (!points) times->fail("are those of `points`");
+        for (const JsonPlace& time : times->items()) file.look_times.push_back(time.real(-largest, largest));
+        if (3 * file.look_times.size() != file.look_points.size()) times->fail("must be as many as `points`");
+    }
+    if (const auto place = look.find("up")) {
+        const std::vector<double> up = read_numbers(*place, 3);
+        std::copy(up.begin(), up.end(), desc.look_up);
+    }
+    if (const auto place = look.find("bank")) desc.bank = place->real(0, 100);
+    if (const auto place = look.find("bank_time")) desc.bank_time = place->real(0, 1e6);
 }
 
 void read_body(const JsonPlace& body, MotionFile& file) {
@@ -73,19 +115,24 @@ void read_body(const JsonPlace& body, MotionFile& file) {
 
 FlgMotionDesc desc_of(const MotionFile& file) {
     FlgMotionDesc desc = file.desc;
-    desc.key_count = static_cast<uint32_t>(file.times.size());
-    desc.times = file.times.data();
+    desc.key_count = static_cast<uint32_t>(file.poses.size() / 12);
+    desc.times = file.times.empty() ? nullptr : file.times.data();
     desc.poses = file.poses.data();
     desc.body_points = file.body_points.empty() ? nullptr : file.body_points.data();
     desc.body_masses = file.body_masses.empty() ? nullptr : file.body_masses.data();
     desc.body_point_count = static_cast<uint32_t>(file.body_points.size() / 3);
+    desc.eases = file.eases.empty() ? nullptr : file.eases.data();
+    desc.look_points = file.look_points.empty() ? nullptr : file.look_points.data();
+    desc.look_times = file.look_times.empty() ? nullptr : file.look_times.data();
+    desc.look_count = static_cast<uint32_t>(file.look_points.size() / 3);
     return desc;
 }
 
 MotionFile read_motion_file(const std::string& path) {
     const nlohmann::json json = JsonPlace::read(path);
     const JsonPlace root(json, path + ": motion");
-    root.allow({"closed", "end_time", "energy", "tension", "smoothing", "positions", "body", "keys"});
+    root.allow({"closed", "end_time", "energy", "tension", "smoothing", "positions", "body", "keys", "timing", "pacing",
+                "speed", "limits", "clearance", "look"});
     MotionFile file;
     FlgMotionDesc& desc = file.desc;
     if (const auto place = root.find("closed")) desc.closed = place->flag();
@@ -99,6 +146,14 @@ MotionFile read_motion_file(const std::string& path) {
     if (const auto place = root.find("smoothing")) desc.smoothing = place->real(0, 1e9);
     if (const auto place = root.find("positions")) desc.position_count = place->count(2, FLG_MOTION_MAX_POSITIONS);
     if (const auto place = root.find("body")) read_body(*place, file);
+    if (const auto place = root.find("timing"))
+        desc.timing = static_cast<FlgMotionTiming>(place->word({"given", "chord", "centripetal"}));
+    if (const auto place = root.find("pacing"))
+        desc.pacing = static_cast<FlgMotionPacing>(place->word({"keys", "path", "body"}));
+    if (const auto place = root.find("speed")) desc.speed = place->real(0, largest);
+    if (const auto place = root.find("limits")) read_limits(*place, desc);
+    if (const auto place = root.find("clearance")) desc.clearance = place->real(0, largest);
+    if (const auto place = root.find("look")) read_look(*place, file);
     read_keys(root.at("keys"), file);
     return file;
 }

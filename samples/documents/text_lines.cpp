@@ -13,10 +13,14 @@ bool next_line(std::istream& file, std::string& line) {
 }
 
 std::string quoted_line(std::string_view line) {
+    return "'" + shortened(line) + "'";
+}
+
+std::string shortened(std::string_view text) {
     constexpr size_t longest = 80;
-    std::string text = "'";
-    for (const char c : line.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
-    return text + (line.size() > longest ? "...'" : "'");
+    std::string shown;
+    for (const char c : text.substr(0, longest)) shown += c >= ' ' && c <= '~' ? c : '?';
+    return shown + (text.size() > longest ? "..." : "");
 }
 
 }  // namespace flg::cli

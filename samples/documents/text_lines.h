@@ -13,5 +13,7 @@ bool next_line(std::istream& file, std::string& line);
 
 // A line fit for a sentence: in quotes, at most 80 characters of it, with nothing unprintable.
 std::string quoted_line(std::string_view line);
+// The same without quotes.
+std::string shortened(std::string_view text);
 
 }  // namespace flg::cli

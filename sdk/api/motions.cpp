@@ -17,6 +17,7 @@ constexpr uint32_t max_rounds = 10000;
 constexpr double largest = 1e30;  // coordinate, m
 constexpr double largest_weight = 1e12;
 constexpr double largest_smoothing = 1e9;  // rounding hides the pull of the keys beyond
+constexpr double largest_bank = 100, largest_bank_time = 1e6;
 
 FlgMotionDesc default_motion_desc() {
     auto desc = sized<FlgMotionDesc>();
@@ -26,6 +27,8 @@ FlgMotionDesc default_motion_desc() {
     desc.tolerance = 1e-6;
     desc.obstacle_radius = 1e-3;
     std::fill_n(desc.body_box, 3, 2.0);
+    desc.look_up[1] = 1;
+    desc.bank_time = 0.25;
     return desc;
 }
 
@@ -68,24 +71,74 @@ void check_weights(const FlgMotionDesc& desc) {
     check_range(desc.tolerance >= 1e-12 && desc.tolerance <= 1, "desc.tolerance", desc.tolerance, "1e-12 to 1");
 }
 
+void read_times(const FlgMotionDesc& desc, MotionInput& input) {
+    const uint32_t keys = desc.key_count;
+    check_enum(desc.timing, FLG_MOTION_TIMING_GIVEN, FLG_MOTION_TIMING_CENTRIPETAL, "desc.timing",
+               "FLG_MOTION_TIMING_");
+    check_enum(desc.pacing, FLG_MOTION_PACING_KEYS, FLG_MOTION_PACING_BODY, "desc.pacing", "FLG_MOTION_PACING_");
+    check_range(desc.speed >= 0 && desc.speed <= largest, "desc.speed", desc.speed, "from 0 to 1e30");
+    const bool given = desc.timing == FLG_MOTION_TIMING_GIVEN;
+    if (given) {
+        require(desc.times, "desc.times");
+        input.times.assign(desc.times, desc.times + keys);
+    }
+    if (desc.eases) input.eases.assign(desc.eases, desc.eases + size_t{2} * keys);
+    if (desc.closed != 0 && given) {
+        const double mean = (input.times.back() - input.times.front()) / (keys - 1);
+        if (desc.end_time == 0) input.desc.end_time = input.times.back() + mean;
+    } else {
+        check_range(desc.end_time == 0, "desc.end_time", desc.end_time,
+                    given ? "0 for motions that are not closed" : "0 where times are found");
+    }
+    const auto limit = [](double value, const char* name) {
+        check_range(value >= 0 && value <= largest, name, value, "from 0 to 1e30");
+    };
+    limit(desc.max_speed, "desc.max_speed");
+    limit(desc.max_acceleration, "desc.max_acceleration");
+    limit(desc.max_turn, "desc.max_turn");
+    limit(desc.max_turn_acceleration, "desc.max_turn_acceleration");
+}
+
+void read_look(const FlgMotionDesc& desc, Look& look) {
+    check_enum(desc.look, FLG_MOTION_LOOK_KEYS, FLG_MOTION_LOOK_PATH, "desc.look", "FLG_MOTION_LOOK_");
+    check_range(desc.bank >= 0 && desc.bank <= largest_bank, "desc.bank", desc.bank, "from 0 to 100");
+    check_range(desc.bank_time >= 0 && desc.bank_time <= largest_bank_time, "desc.bank_time", desc.bank_time,
+                "from 0 to 1e6");
+    look.kind = static_cast<LookKind>(desc.look);
+    look.bank = desc.bank;
+    look.bank_time = desc.bank_time;
+    if (desc.look == FLG_MOTION_LOOK_KEYS) return;
+    look.up = Vec3(desc.look_up[0], desc.look_up[1], desc.look_up[2]);
+    for (const double up : desc.look_up)
+        check_range(std::abs(up) <= largest, "desc.look_up", up, "finite and at most 1e30 in size");
+    check_range(look.up.norm() > 0, "desc.look_up", 0, "not 0");
+    if (desc.look == FLG_MOTION_LOOK_PATH) return;
+    const uint32_t count = desc.look_count;
+    check_range(count >= 1 && count <= FLG_MOTION_MAX_KEYS, "desc.look_count", count, "1 to 65536");
+    require(desc.look_points, "desc.look_points");
+    const auto check = [](const double* values, size_t size, const char* name) {
+        for (size_t i = 0; i < size; ++i)
+            check_range(std::abs(values[i]) <= largest, name, values[i], "finite and at most 1e30 in size");
+    };
+    check(desc.look_points, size_t{3} * count, "desc.look_points");
+    look.points.assign(desc.look_points, desc.look_points + size_t{3} * count);
+    if (!desc.look_times) return;
+    check(desc.look_times, count, "desc.look_times");
+    look.times.assign(desc.look_times, desc.look_times + count);
+}
+
 MotionInput read_input(const FlgMotionDesc& desc, Memory* memory) {
     MotionInput input(memory);
     input.desc = desc;
     const uint32_t keys = desc.key_count;
     check_range(keys >= 2 && keys <= FLG_MOTION_MAX_KEYS, "desc.key_count", keys, "2 to 65536");
-    require(desc.times, "desc.times");
     require(desc.poses, "desc.poses");
-    input.times.assign(desc.times, desc.times + keys);
+    read_times(desc, input);
+    read_look(desc, input.look);
     input.origin = read_origin(desc.origin, "desc.origin");
     input.poses.assign(desc.poses, desc.poses + MotionKeys::pose_size * keys);
     input.body = read_body(desc);
     check_weights(desc);
-    if (desc.closed != 0) {
-        const double mean = (input.times.back() - input.times.front()) / (keys - 1);
-        if (desc.end_time == 0) input.desc.end_time = input.times.back() + mean;
-    } else {
-        check_range(desc.end_time == 0, "desc.end_time", desc.end_time, "0 for motions that are not closed");
-    }
     const uint64_t intervals = uint64_t{default_intervals} * (desc.closed ? keys : keys - 1);
     const uint64_t usual = std::min<uint64_t>(intervals + (desc.closed ? 0 : 1), FLG_MOTION_MAX_POSITIONS);
     uint32_t& positions = input.desc.position_count;
@@ -98,6 +151,7 @@ MotionInput read_input(const FlgMotionDesc& desc, Memory* memory) {
 }
 
 void read_obstacles(Context& context, const FlgMotionDesc& desc, MotionInput& input, Submission& submission) {
+    check_range(desc.clearance >= 0 && desc.clearance <= largest, "desc.clearance", desc.clearance, "from 0 to 1e30");
     if (desc.obstacles.id == 0) return;
     input.obstacles = context.obstacles.get(desc.obstacles.id, "desc.obstacles");
     submission.read(*input.obstacles, "desc.obstacles");

@@ -13,7 +13,8 @@ namespace flg {
 namespace {
 
 constexpr uint32_t strokes_max = 1024;
-constexpr float corner_angle_rad = 0.87266463f;  // 50 degrees, from which on smooth curves have corners too
+constexpr uint32_t default_max_points = 1u << 26;  // some 2 GB of columns: a mistake rather than a wish
+constexpr float corner_angle_rad = 0.87266463f;    // 50 degrees, from which on smooth curves have corners too
 constexpr float half_turn_rad = 3.1415927f;
 
 FlgCurveSetStylizeDesc default_stylize_desc() {
@@ -21,6 +22,7 @@ FlgCurveSetStylizeDesc default_stylize_desc() {
     desc.magnitude = desc.scale = 1;
     desc.seed = desc.strokes = 1;
     desc.corner_angle = corner_angle_rad;
+    desc.max_points = default_max_points;
     desc.basis[0] = desc.basis[4] = desc.basis[8] = 1;
     return desc;
 }

@@ -11,11 +11,11 @@ BlockTridiagonal::BlockTridiagonal(uint32_t blocks, uint32_t size, bool cyclic, 
       size_(size),
       area_(size * size),
       cyclic_(cyclic),
-      diagonal_(size_t{blocks} * area_, memory),
-      coupling_(size_t{blocks} * area_, memory),
-      border_(cyclic ? size_t{blocks} * area_ : 0, memory),
-      right_(size_t{blocks} * size, memory),
-      inverse_pivots_(size_t{blocks} * size, memory) {}
+      diagonal_(blocks, area_, memory),
+      coupling_(blocks, area_, memory),
+      border_(cyclic ? blocks : 0, area_, memory),
+      right_(blocks, size, memory),
+      inverse_pivots_(blocks, size, memory) {}
 
 namespace {
 
@@ -61,7 +61,7 @@ template <uint32_t fixed_size>
 void BlockTridiagonal::eliminate_block(uint32_t i, uint32_t next, double* border, double* next_border, bool has_next) {
     const uint32_t b = fixed_size ? fixed_size : size_;
     double* const d = diagonal(i);
-    double* const inverse = &inverse_pivots_[size_t{i} * b];
+    double* const inverse = inverse_pivots_.make(i);
     double* const right = right_side(i);
     for (uint32_t j = 0; j < b; ++j) {
         const double pivot = d[j * b + j];
@@ -91,16 +91,18 @@ template <uint32_t fixed_size>
 void BlockTridiagonal::substitute_block(uint32_t i, uint32_t next, const double* border, bool has_next) {
     const uint32_t b = fixed_size ? fixed_size : size_;
     const double* const d = diagonal(i);
-    const double* const inverse = &inverse_pivots_[size_t{i} * b];
+    const double* const inverse = inverse_pivots_[i];
+    const double* const after = has_next ? right_[next] : nullptr;
+    const double* const first = right_[0];
     double* const right = right_side(i);
     for (uint32_t j = 0; j < b; ++j) {
         double sum = right[j];
         if (has_next) {
             const double* const row = coupling(i) + j * b;
-            for (uint32_t c = 0; c < b; ++c) sum -= row[c] * right_[size_t{next} * b + c];
+            for (uint32_t c = 0; c < b; ++c) sum -= row[c] * after[c];
         }
         if (border) {
-            for (uint32_t c = 0; c < b; ++c) sum -= border[j * b + c] * right_[c];
+            for (uint32_t c = 0; c < b; ++c) sum -= border[j * b + c] * first[c];
         }
         right[j] = sum * inverse[j];
     }

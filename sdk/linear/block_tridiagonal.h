@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include "core/memory.h"
+#include "core/row_blocks.h"
 
 namespace flg {
 
@@ -24,9 +24,9 @@ public:
     // To be written whole before block i is eliminated; then they are used up. Rows of `size` numbers. Of the diagonal
     // block only the lower triangle is read. Coupling: rows are unknowns of block i, columns those of the block after
     // it.
-    double* diagonal(uint32_t i) { return &diagonal_[size_t{i} * area_]; }
-    double* coupling(uint32_t i) { return &coupling_[size_t{i} * area_]; }
-    double* right_side(uint32_t i) { return &right_[size_t{i} * size_]; }
+    double* diagonal(uint32_t i) { return diagonal_.make(i); }
+    double* coupling(uint32_t i) { return coupling_.make(i); }
+    double* right_side(uint32_t i) { return right_.make(i); }
 
     // The k-th step of elimination, for k = 0 to blocks - 1 in turn; of substitution, for the same k after that. About
     // 2.3 size^3 (5 in a cycle) and 3 size^2 multiplications.
@@ -37,7 +37,13 @@ public:
     uint32_t negative_pivots() const { return negative_; }
     bool is_singular() const { return singular_; }
     // After block i was substituted.
-    const double* solution(uint32_t i) const { return &right_[size_t{i} * size_]; }
+    const double* solution(uint32_t i) const { return right_[i]; }
+
+    // Calls give(rows) for each of its parts: to give their memory back in slices.
+    template <class Give>
+    void each_part(const Give& give) {
+        for (RowBlocks<double>* rows : {&diagonal_, &coupling_, &border_, &right_, &inverse_pivots_}) give(*rows);
+    }
 
 private:
     template <uint32_t fixed_size>
@@ -46,12 +52,12 @@ private:
     void substitute_block(uint32_t i, uint32_t next, const double* border, bool has_next);
     void dispatch_eliminate(uint32_t i, uint32_t next, double* border, double* next_border, bool has_next);
     void dispatch_substitute(uint32_t i, uint32_t next, const double* border, bool has_next);
-    double* border(uint32_t i) { return &border_[size_t{i} * area_]; }
+    double* border(uint32_t i) { return border_.make(i); }
 
     uint32_t blocks_, size_, area_;
     bool cyclic_;
     // In a cycle block 0 comes last, and `border` is what couples each block with it.
-    Buffer<double> diagonal_, coupling_, border_, right_, inverse_pivots_;
+    RowBlocks<double> diagonal_, coupling_, border_, right_, inverse_pivots_;
     uint32_t negative_ = 0;
     bool singular_ = false;
 };

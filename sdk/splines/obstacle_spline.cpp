@@ -277,7 +277,7 @@ struct Leave {
 Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& optimizer, const SplineProblem& problem,
                    const Chain& chain, const Leave& leave, std::pmr::vector<Trespass>& out) {
     const uint32_t d = set.dimension(), nodes = optimizer.nodes();
-    Moments moments(nodes, d, problem.closed, pace.memory());
+    Moments moments(nodes, d, problem.closed, 0, pace.memory());
     co_await each(pace, moments.steps().size(), Cost::some_ns,
                   [&](uint32_t i) { moments.steps()[i] = optimizer.step_after(i); });
     Buffer<double> second(problem.bending > 0 ? size_t{nodes} * d : 0, pace.memory());
@@ -374,7 +374,8 @@ Task<void> settle(Pace& pace, const ObstacleSet& set, const Margins& scene, Obst
 Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     Spline& out = *request.out;
     SplineProblem& problem = request.problem;
-    const ObstacleSet& set = request.placed.emplace(request.obstacles, out.origin, pace.memory()).set();
+    const ObstacleSet& set =
+        request.placed.emplace(request.obstacles, out.origin, request.more_clearance, pace.memory()).set();
     const uint32_t d = set.dimension();
     pace.stage("begin");
     const ManifoldProduct& held = *out.manifold;

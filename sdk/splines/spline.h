@@ -54,6 +54,7 @@ struct SplineRequest {
     SplineProblem problem;                       // options, parameters and, with a curve, knots
     FlgSplineDesc desc{};                        // checked; its handles are resolved here, its arrays copied
     std::shared_ptr<const Obstacles> obstacles;  // or null
+    double more_clearance = 0;                   // beside theirs, m
     std::optional<PlacedObstacles> placed;       // these from the spline's origin; by the job
     Buffer<ObstacleSide> sides;
 };

@@ -163,6 +163,11 @@ TEST(StylizeLimits, MorePointsThanTheHostWantsAreRefused) {
     ready.desc.strokes = 1;
     ready.desc.scale = 1e-12f;
     ready.expect_failing(FLG_ERROR_LIMIT, "the limit is 2^31");
+    // A point far away, by the descriptor as it comes.
+    ready.desc.max_points = flgCurveSetStylizeDefaults().max_points;
+    EXPECT_EQ(ready.desc.max_points, 1u << 26);
+    ready.desc.scale = 1e-6f;
+    ready.expect_failing(FLG_ERROR_LIMIT, "desc.max_points is 67108864");
 }
 
 }  // namespace

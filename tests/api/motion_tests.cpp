@@ -179,6 +179,38 @@ TEST(MotionApi, BadDescriptorsAreRefused) {
     EXPECT_EQ(refusal([](Desc& d) { d.smoothing = -1; }), "desc.smoothing is -1, must be from 0 to 1e9");
     EXPECT_EQ(refusal([](Desc& d) { d.end_time = 9; }),
               "desc.end_time is 9, must be 0 for motions that are not closed");
+    EXPECT_EQ(refusal([](Desc& d) {
+                  d.timing = FLG_MOTION_TIMING_CHORD;
+                  d.closed = 1;
+                  d.end_time = 9;
+              }),
+              "desc.end_time is 9, must be 0 where times are found");
+    EXPECT_EQ(refusal([](Desc& d) { d.timing = static_cast<FlgMotionTiming>(3); }),
+              "desc.timing is 3, must be one of FLG_MOTION_TIMING_...");
+    EXPECT_EQ(refusal([](Desc& d) { d.pacing = static_cast<FlgMotionPacing>(3); }),
+              "desc.pacing is 3, must be one of FLG_MOTION_PACING_...");
+    EXPECT_EQ(refusal([](Desc& d) { d.look = static_cast<FlgMotionLook>(3); }),
+              "desc.look is 3, must be one of FLG_MOTION_LOOK_...");
+    EXPECT_EQ(refusal([](Desc& d) { d.speed = -1; }), "desc.speed is -1, must be from 0 to 1e30");
+    EXPECT_EQ(refusal([](Desc& d) { d.max_speed = -1; }), "desc.max_speed is -1, must be from 0 to 1e30");
+    EXPECT_EQ(refusal([](Desc& d) { d.max_turn = -1; }), "desc.max_turn is -1, must be from 0 to 1e30");
+    EXPECT_EQ(refusal([](Desc& d) { d.max_acceleration = -1; }), "desc.max_acceleration is -1, must be from 0 to 1e30");
+    EXPECT_EQ(refusal([](Desc& d) { d.max_turn_acceleration = std::nan(""); }),
+              "desc.max_turn_acceleration is nan, must be from 0 to 1e30");
+    EXPECT_EQ(refusal([](Desc& d) { d.clearance = -1; }), "desc.clearance is -1, must be from 0 to 1e30");
+    EXPECT_EQ(refusal([](Desc& d) { d.bank = 101; }), "desc.bank is 101, must be from 0 to 100");
+    EXPECT_EQ(refusal([](Desc& d) { d.bank_time = -1; }), "desc.bank_time is -1, must be from 0 to 1e6");
+    EXPECT_EQ(refusal([](Desc& d) { d.look = FLG_MOTION_LOOK_TARGET; }), "desc.look_count is 0, must be 1 to 65536");
+    EXPECT_EQ(refusal([](Desc& d) {
+                  d.look = FLG_MOTION_LOOK_TARGET;
+                  d.look_count = 1;
+              }),
+              "desc.look_points is null");
+    EXPECT_EQ(refusal([](Desc& d) {
+                  d.look = FLG_MOTION_LOOK_PATH;
+                  d.look_up[1] = 0;
+              }),
+              "desc.look_up is 0, must be not 0");
     EXPECT_EQ(refusal([](Desc& d) { d.position_count = 3; }),
               "desc.position_count is 3, must be key_count to 2^20, closed 3 at least");
     EXPECT_EQ(refusal([](Desc& d) { d.max_rounds = 0; }), "desc.max_rounds is 0, must be 1 to 10000");
@@ -257,13 +289,67 @@ TEST(MotionApi, BadKeysFailTheJob) {
               "keys[1] has a pose that is a reflection: its determinant is negative");
     EXPECT_EQ(failure([](Keys& k) { k.poses[0] = 2; }),
               "keys[0] has a pose that stretches by 1 to 2; a rigid body's are 1 within 0.001");
-    EXPECT_EQ(failure([](Keys& k) { std::copy_n(k.poses.begin(), 12, k.poses.begin() + 12); }),
-              "keys[1] has the pose of keys[0], the one before it");
+    static constexpr double eases[8] = {0, 0, 0, 2};
+    EXPECT_EQ(failure([](Keys& k) { k.desc.eases = eases; }), "keys[1] has an ease out of 2; they go from 0 to 1");
+    EXPECT_EQ(failure([](Keys& k) {
+                  std::copy_n(k.poses.begin(), 12, k.poses.begin() + 12);
+                  k.desc.timing = FLG_MOTION_TIMING_CHORD;
+              }),
+              "keys[1] has the pose of keys[0], the one before it; times are found between poses that differ, give "
+              "times for a pause");
     EXPECT_EQ(failure([](Keys& k) {
                   k.desc.closed = 1;
                   k.desc.end_time = 3;
               }),
               "end_time is 3: a closed motion comes back to its first key after the last one's 3");
+}
+
+TEST(MotionApi, APauseAndFoundTimes) {
+    const Host host;
+    Keys keys;
+    std::copy_n(keys.poses.begin() + 12, 12, keys.poses.begin() + 24);
+    const FlgMotionView paused = made(host, keys.desc);
+    EXPECT_EQ(paused.ending, FLG_SPLINE_ENDING_CONVERGED);
+    for (uint32_t i = paused.key_positions[1]; i < paused.key_positions[2]; ++i)
+        EXPECT_EQ(paused.poses[12 * i + 3], paused.poses[12 * i + 15]);
+    Keys found;
+    found.desc.times = nullptr;
+    found.desc.timing = FLG_MOTION_TIMING_CENTRIPETAL;
+    found.desc.speed = 3;
+    const FlgMotionView timed = made(host, found.desc);
+    EXPECT_EQ(timed.times[0], 0);
+    EXPECT_GT(timed.times[96], 0.5);
+    EXPECT_LT(timed.times[96], 5);
+    EXPECT_GT(timed.length, 3);
+}
+
+TEST(MotionApi, LawsOfTimeAndLooking) {
+    Keys keys;
+    const double target[3] = {1, 1, -5}, eases[8] = {0, 1, 0.5, 0.5, 0, 0, 1, 0};
+    keys.desc.look = FLG_MOTION_LOOK_TARGET;
+    keys.desc.look_points = target;
+    keys.desc.look_count = 1;
+    keys.desc.bank = 1;
+    keys.desc.pacing = FLG_MOTION_PACING_PATH;
+    keys.desc.eases = eases;
+    keys.desc.max_speed = 1.5;
+    keys.desc.max_turn = 2;
+    keys.desc.max_acceleration = 1;
+    keys.desc.position_count = 2000;
+    const Host alone, many(2);
+    const FlgMotionView view = made(alone, keys.desc);
+    EXPECT_EQ(bits(made(many, keys.desc)), bits(view));
+    EXPECT_EQ(view.rotation_energy, 0);
+    EXPECT_GT(view.greatest_speed, 0.5);
+    EXPECT_LE(view.greatest_speed, 1.51);
+    EXPECT_LE(view.greatest_acceleration, 1.1);
+    EXPECT_GT(view.greatest_bank, 0.01);
+    EXPECT_GT(view.times[1999], 3);
+    for (uint32_t i = 0; i < 2000; ++i) {
+        const double* const p = view.poses + 12 * i;
+        const double d[3] = {target[0] - p[3], target[1] - p[7], target[2] - p[11]};
+        EXPECT_NEAR(-(p[2] * d[0] + p[6] * d[1] + p[10] * d[2]), std::hypot(d[0], d[1], d[2]), 1e-9);
+    }
 }
 
 TEST(MotionApi, RunningOutOfMemoryIsAnError) {

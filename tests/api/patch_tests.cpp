@@ -110,9 +110,82 @@ TEST(PatchApi, RefusesWhatIsNoSurface) {
     EXPECT_EQ(refusal([](Functions& f) {
                   f.evaluate = [](void*, double, double, double* out) { std::fill_n(out, 18, std::nan("")); };
               }),
-              "functions.evaluate gives numbers that are not finite");
+              "functions.evaluate gives nan at u = 0, v = 0");
     EXPECT_NE(refusal([](Functions& f) { f.struct_size = 3; }).find("functions: struct_size is 3"), std::string::npos);
     EXPECT_EQ(flgManifoldCreatePatch(host.context, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+}
+
+// A host's surface with a hole of numbers that are none: the job says where, whatever the function.
+struct Holed {
+    enum Function { evaluate, project, tangent_basis, second_form };
+    Function function;
+    bool is_broken = false;
+};
+
+std::string failure_on(const Host& host, FlgManifold manifold) {
+    const double points[] = {2.7, 0, 0, 0, 2.7, 0};
+    FlgSplineDesc desc = flgSplineDefaults();
+    desc.manifold = manifold;
+    desc.points = points;
+    desc.point_count = 2;
+    FlgSpline spline{};
+    EXPECT_EQ(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_OK) << flgErrorGetMessage();
+    host.finish();
+    FlgSplineView view = flgSplineViewDefaults();
+    EXPECT_EQ(flgSplineGetView(host.context, spline, &view), FLG_ERROR_INVALID_ARGUMENT);
+    return flgErrorGetMessage();
+}
+
+TEST(PatchApi, NumbersThatAreNoneFailTheJobWithTheirPlace) {
+    const Host host;
+    Holed patch{Holed::evaluate};
+    FlgPatchFunctions functions = torus_functions();
+    functions.user_data = &patch;
+    functions.evaluate = [](void* user_data, double u, double v, double* out) {
+        torus(nullptr, u, v, out);
+        if (static_cast<const Holed*>(user_data)->is_broken && u > 0.7 && u < 0.9) out[5] = std::nan("");
+    };
+    FlgManifold manifold{};
+    ASSERT_EQ(flgManifoldCreatePatch(host.context, &functions, &manifold), FLG_OK) << flgErrorGetMessage();
+    patch.is_broken = true;
+    EXPECT_EQ(failure_on(host, manifold).rfind("functions.evaluate gives nan at u = 0.", 0), 0u)
+        << flgErrorGetMessage();
+
+    FlgManifoldFunctions sphere = flgManifoldFunctionsDefaults();
+    sphere.project = [](void* user_data, double* x, double*) {
+        const double size = std::hypot(x[0], x[1], x[2]);
+        for (int c = 0; c < 3; ++c) x[c] *= 2.7 / size;
+        const auto* hole = static_cast<const Holed*>(user_data);
+        if (hole->is_broken && hole->function == Holed::project && x[0] > 1 && x[1] > 1) x[1] = HUGE_VAL;
+        return 1;
+    };
+    sphere.tangent_basis = [](void* user_data, const double* x, double*, double* basis) {
+        const double flat = std::hypot(x[0], x[1]), size = std::hypot(flat, x[2]);
+        const double rows[6] = {
+            -x[1] / flat, x[0] / flat, 0, -x[0] * x[2] / (flat * size), -x[1] * x[2] / (flat * size), flat / size};
+        std::copy_n(rows, 6, basis);
+        const auto* hole = static_cast<const Holed*>(user_data);
+        if (hole->is_broken && hole->function == Holed::tangent_basis && x[0] > 1 && x[1] > 1) basis[2] = std::nan("");
+    };
+    sphere.second_form = [](void* user_data, const double* x, double*, const double*, const double* force,
+                            double* form) {
+        const double along = (force[0] * x[0] + force[1] * x[1] + force[2] * x[2]) / (2.7 * 2.7);
+        const double values[4] = {-along, 0, 0, -along};
+        std::copy_n(values, 4, form);
+        const auto* hole = static_cast<const Holed*>(user_data);
+        if (hole->is_broken && hole->function == Holed::second_form && x[0] > 1 && x[1] > 1) form[3] = -HUGE_VAL;
+    };
+    const double near[3] = {2.7, 0, 0};
+    for (const auto& [function, words] : std::vector<std::pair<Holed::Function, std::string>>{
+             {Holed::project, "functions.project gives inf near"},
+             {Holed::tangent_basis, "functions.tangent_basis gives nan near"},
+             {Holed::second_form, "functions.second_form gives -inf near"}}) {
+        Holed hole{function};
+        sphere.user_data = &hole;
+        ASSERT_EQ(flgManifoldCreateHost(host.context, &sphere, near, &manifold), FLG_OK) << flgErrorGetMessage();
+        hole.is_broken = true;
+        EXPECT_EQ(failure_on(host, manifold).rfind(words, 0), 0u) << flgErrorGetMessage();
+    }
 }
 
 }  // namespace

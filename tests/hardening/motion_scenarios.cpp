@@ -121,6 +121,23 @@ void move_bodies(Calls& calls) {
         FLG_DRAW(calls, flgDebugDrawMotion, motion);
         FLG_CALL(calls, flgMotionRelease, calls.context, motion);
     }
+    const double target[] = {0, 0, -4, 1, 0, -4}, eases[] = {0, 1, 0.5, 0.5, 1, 0};
+    desc.job = nullptr;
+    desc.timing = FLG_MOTION_TIMING_CHORD;
+    desc.pacing = FLG_MOTION_PACING_BODY;
+    desc.eases = eases;
+    desc.max_speed = desc.max_acceleration = desc.max_turn = desc.max_turn_acceleration = 1;
+    desc.look = FLG_MOTION_LOOK_TARGET;
+    desc.look_points = target;
+    desc.look_count = 2;
+    desc.bank = 1;
+    FlgMotion camera{};
+    FLG_CALL(calls, flgMotionCreate, calls.context, &desc, calls.out(camera), calls.job());
+    calls.finish();
+    FlgMotionView view = FLG_INIT(calls, flgMotionViewInit);
+    FLG_CALL(calls, flgMotionGetView, calls.context, camera, &view);
+    calls.note(view.poses, size_t{12} * view.position_count * sizeof(double));
+    FLG_CALL(calls, flgMotionRelease, calls.context, camera);
 }
 
 }  // namespace flg::test

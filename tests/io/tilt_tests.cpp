@@ -216,6 +216,9 @@ TEST(Tilt, ZipThatUnpacksWithoutEndIsStopped) {
     expect_refused(bomb(unpacked, 0x7f000000), FLG_ERROR_FORMAT, "data.sketch", "can't unpack to");
     expect_refused(bomb(unpacked, unpacked + 5), FLG_ERROR_FORMAT, "data.sketch", "but declares 16777221");
     expect_refused(bomb(unpacked, 0xf0000000), FLG_ERROR_LIMIT, "data.sketch", "2 GiB");
+    // Honest about its size, and still refused before it is unpacked.
+    constexpr size_t much = size_t{1} << 26;
+    expect_refused(bomb(much, much), FLG_ERROR_LIMIT, "data.sketch", "declares 67108864 bytes of");
 }
 
 // Numbers packed so well that a document of them would take gigabytes; read, they are passed over.

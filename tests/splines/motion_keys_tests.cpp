@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,10 @@ using Mat3 = Eigen::Matrix3d;
 
 struct Keys {
     std::vector<double> times, poses;
-    bool closed = false;
-    double end_time = 0;
+    std::vector<double> eases;
+    bool closed = false, pauses = true;
+    double end_time = 0, speed = 1;
+    KeyTiming timing = KeyTiming::given;
 
     void add(double time, const Mat3& map, const Vec3& shift) {
         times.push_back(time);
@@ -51,7 +54,14 @@ BodyInertia body() {
 }
 
 MotionKeys read(const Keys& keys, bool haltingly = false) {
-    const MotionKeyInput input{keys.times, keys.poses, keys.closed, keys.end_time};
+    const MotionKeyInput input{.times = keys.times,
+                               .poses = keys.poses,
+                               .closed = keys.closed,
+                               .end_time = keys.end_time,
+                               .timing = keys.timing,
+                               .speed = keys.speed,
+                               .eases = keys.eases,
+                               .pauses = keys.pauses};
     return run_now(
         std::pmr::get_default_resource(), [&](Pace& pace) { return check_keys(pace, input, body()); }, haltingly);
 }
@@ -132,7 +142,12 @@ TEST(MotionKeys, RefusesWhatIsNoMotion) {
 
     keys = three_keys();
     std::copy_n(keys.poses.begin(), 12, keys.poses.begin() + 12);
-    EXPECT_EQ(refusal(keys), "keys[1] has the pose of keys[0], the one before it");
+    keys.times[1] = 0;
+    EXPECT_EQ(refusal(keys), "keys[1] has the time 0 after 0; times must rise");
+
+    keys = three_keys();
+    keys.eases = {0, 0, 0, 1.5, 0, 0};
+    EXPECT_EQ(refusal(keys), "keys[1] has an ease out of 1.5; they go from 0 to 1");
 
     keys = Keys();
     EXPECT_EQ(refusal(keys), "keys: there is none, a motion needs two at least");
@@ -149,9 +164,69 @@ TEST(MotionKeys, ClosedMotionsComeBack) {
     EXPECT_EQ(made.times()[3], 4);
     keys.end_time = 2.5;
     EXPECT_NE(refusal(keys).find("end_time is 2.5"), std::string::npos);
-    keys.end_time = 4;
-    std::copy_n(keys.poses.begin(), 12, keys.poses.begin() + 24);
-    EXPECT_EQ(refusal(keys), "keys[0] has the pose of keys[2], the one before it");
+}
+
+std::string text_of(std::span<const MotionRun> runs) {
+    std::string text;
+    for (const MotionRun& run : runs) {
+        text += std::to_string(run.first) + "+" + std::to_string(run.keys) + (run.closed ? "c" : "") +
+                (run.rests[0] ? "r" : "-") + (run.rests[1] ? "r " : "- ");
+    }
+    return text;
+}
+
+TEST(MotionKeys, PausesCutRuns) {
+    // Keys by place; equal ones in a row are a pause.
+    const auto runs = [](const std::vector<int>& places, bool closed, bool pauses = true) {
+        Keys keys;
+        for (const int place : places)
+            keys.add(static_cast<double>(keys.times.size()), Mat3::Identity(), Vec3(place, 0, 0));
+        keys.closed = closed;
+        keys.end_time = static_cast<double>(places.size());
+        keys.pauses = pauses;
+        return text_of(read(keys).runs());
+    };
+    EXPECT_EQ(runs({0, 1, 2}, false), "0+3-- ");
+    EXPECT_EQ(runs({0, 1, 1, 2}, false), "0+2-r 2+2r- ");
+    EXPECT_EQ(runs({0, 0, 1, 1}, false), "1+2rr ");
+    EXPECT_EQ(runs({0, 1, 1, 1, 2, 3}, false), "0+2-r 3+3r- ");
+    EXPECT_EQ(runs({0, 0}, false), "");
+    EXPECT_EQ(runs({0, 1, 2}, true), "0+3c-- ");
+    EXPECT_EQ(runs({0, 1, 1, 2}, true), "2+4rr ");
+    EXPECT_EQ(runs({0, 0, 1, 1}, true), "1+2rr 3+2rr ");
+    EXPECT_EQ(runs({0, 1, 2, 0}, true), "0+4rr ");
+    EXPECT_EQ(runs({0, 1, 1, 2}, false, false), "0+4-- ");
+}
+
+TEST(MotionKeys, TimesAreFound) {
+    Keys keys;
+    for (const int place : {0, 1, 5, 14}) keys.add(0, Mat3::Identity(), Vec3(place, 0, 0));
+    keys.timing = KeyTiming::distances;
+    keys.speed = 2;
+    const auto expect_times = [&keys](const std::vector<double>& times) {
+        const MotionKeys found = read(keys);
+        ASSERT_EQ(found.times().size(), times.size());
+        for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(found.times()[i], times[i], 1e-14);
+    };
+    expect_times({0, 0.5, 2.5, 7});
+    keys.timing = KeyTiming::roots;  // 1, 2 and 3
+    expect_times({0, 7.0 / 6, 3.5, 7});
+    keys.closed = true;
+    keys.timing = KeyTiming::distances;
+    expect_times({0, 0.5, 2.5, 7, 14});
+    // Turns count: a quarter about z moves points by sqrt(2) times their distance from it.
+    keys = Keys();
+    keys.timing = KeyTiming::distances;
+    keys.add(0, Mat3::Identity(), Vec3::Zero());
+    keys.add(0, turn(3.14159265358979323846 / 2, Vec3::UnitZ()), Vec3::Zero());
+    const std::vector<double> points{0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 3, 1, 1, 1};
+    double square = 0;
+    for (size_t k = 0; k < points.size(); k += 3) square += 2 * (points[k] * points[k] + points[k + 1] * points[k + 1]);
+    EXPECT_NEAR(read(keys).times()[1], std::sqrt(square / 5), 1e-14);
+    keys.add(0, turn(3.14159265358979323846 / 2, Vec3::UnitZ()), Vec3::Zero());
+    EXPECT_EQ(refusal(keys),
+              "keys[2] has the pose of keys[1], the one before it; times are found between poses that differ, give "
+              "times for a pause");
 }
 
 TEST(MotionKeys, RotationsBetweenTakeTheShorterWay) {

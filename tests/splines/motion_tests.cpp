@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "core/failure.h"
@@ -46,6 +47,7 @@ MotionInput random_keys(size_t count, double amount, bool closed) {
     input.desc.tolerance = 1e-6;
     input.desc.max_rounds = 200;
     input.desc.obstacle_radius = 1e-3;
+    input.desc.key_count = static_cast<uint32_t>(count);
     std::mt19937 random(static_cast<unsigned>(count));
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> gap(0.6, 1.4);
@@ -411,12 +413,459 @@ TEST(Motion, KeepsOutOfObstacles) {
     }
 }
 
+// The error falls with the fourth power of the step, whatever the energy.
+TEST(Motion, ConvergesWithTheFourthPower) {
+    for (const FlgSplineEnergy energy : all_energies) {
+        SCOPED_TRACE(energy);
+        MotionInput input = random_keys(4, 1.5, false);
+        for (size_t i = 0; i < 4; ++i) input.times[i] = static_cast<double>(i);
+        set_energy(input, energy, 30);
+        input.desc.tolerance = 1e-10;
+        std::vector<std::shared_ptr<Motion>> made;
+        for (const uint32_t intervals : {20u, 40u, 320u}) {
+            input.desc.position_count = 3 * intervals + 1;
+            made.push_back(make(input));
+        }
+        double off[2] = {};
+        for (size_t k = 0; k < 2; ++k) {
+            const uint32_t step = k == 0 ? 16 : 8;
+            for (uint32_t i = 0; i < made[k]->view().position_count; ++i) {
+                const Pose p = pose_at(made[k]->view().poses + 12 * i),
+                           q = pose_at(made[2]->view().poses + 12 * step * i);
+                off[k] = std::max(off[k], (p.rotation - q.rotation).norm());
+            }
+        }
+        EXPECT_LT(off[0], 1e-4);
+        EXPECT_LT(off[1], off[0] / 12);
+    }
+}
+
+MotionInput with_pause(FlgSplineEnergy energy, bool closed) {
+    MotionInput input = random_keys(6, 1.5, closed);
+    std::copy_n(input.poses.begin() + 24, 12, input.poses.begin() + 36);
+    set_energy(input, energy);
+    return input;
+}
+
+TEST(Motion, StandsStillInAPauseAndComesToItAtRest) {
+    for (const bool closed : {false, true}) {
+        for (const FlgSplineEnergy energy : all_energies) {
+            SCOPED_TRACE(energy);
+            MotionInput input = with_pause(energy, closed);
+            input.desc.position_count = 6 * 200;
+            const auto motion = make(input);
+            const FlgMotionView& view = motion->view();
+            EXPECT_EQ(view.ending, FLG_SPLINE_ENDING_CONVERGED);
+            const uint32_t begin = view.key_positions[2], end = view.key_positions[3];
+            ASSERT_GT(end, begin + 10);
+            for (uint32_t i = begin; i <= end; ++i) {
+                for (int c = 0; c < 12; ++c) EXPECT_EQ(view.poses[12 * i + c], view.poses[12 * begin + c]);
+            }
+            for (int c = 0; c < 12; ++c) EXPECT_NEAR(view.poses[12 * begin + c], input.poses[24 + c], 1e-13);
+            // Speeds of the first and the last step beside it are small against those in the middle of a segment.
+            const auto speed = [&](uint32_t i) {
+                double square = 0;
+                for (int c = 0; c < 12; ++c) {
+                    const double change = view.poses[12 * i + 12 + c] - view.poses[12 * i + c];
+                    square += change * change;
+                }
+                return std::sqrt(square) / (view.times[i + 1] - view.times[i]);
+            };
+            EXPECT_LT(speed(begin - 1), 0.05 * speed(begin - 100));
+            EXPECT_LT(speed(end), 0.05 * speed(end + 100));
+            EXPECT_EQ(view.times[end], input.times[3]);
+        }
+    }
+}
+
+// Of all motions that stand still there: with the barycentre's path in closed form.
+TEST(Motion, APauseIsLeftWithTheLeastEnergy) {
+    MotionInput input = random_keys(3, 1, false);
+    input.body = BodyInertia();
+    std::copy_n(input.poses.begin(), 12, input.poses.begin() + 12);
+    for (size_t i = 0; i < 3; ++i) input.times[i] = static_cast<double>(i);
+    input.desc.position_count = 65;
+    const auto motion = make(input);
+    const FlgMotionView& view = motion->view();
+    const Vec3 from = pose_at(&input.poses[12]).place, to = pose_at(&input.poses[24]).place;
+    for (uint32_t i = view.key_positions[1]; i < 65; ++i) {
+        const double t = view.times[i] - 1, share = (3 * t * t - t * t * t) / 2;  // clamped, then natural
+        EXPECT_LT((pose_at(view.poses + 12 * i).place - (from + share * (to - from))).norm(), 1e-13);
+    }
+}
+
+TEST(Motion, ABodyThatOnlyPausesStands) {
+    MotionInput input = random_keys(2, 1, false);
+    std::copy_n(input.poses.begin(), 12, input.poses.begin() + 12);
+    input.desc.position_count = 9;
+    for (const FlgMotionPacing pacing : {FLG_MOTION_PACING_KEYS, FLG_MOTION_PACING_BODY}) {
+        input.desc.pacing = pacing;
+        const auto motion = make(input);
+        EXPECT_EQ(motion->view().ending, FLG_SPLINE_ENDING_CONVERGED);
+        EXPECT_EQ(motion->view().greatest_speed, 0);
+        EXPECT_EQ(motion->view().times[8], input.times[1]);
+        for (uint32_t i = 0; i < 9; ++i) {
+            for (int c = 0; c < 12; ++c) EXPECT_NEAR(motion->view().poses[12 * i + c], input.poses[c], 1e-14);
+        }
+    }
+}
+
+TEST(Motion, KeepsItsSpeed) {
+    for (const FlgSplineEnergy energy : {FLG_SPLINE_ENERGY_E2, FLG_SPLINE_ENERGY_E1}) {
+        for (const bool closed : {false, true}) {
+            MotionInput input = random_keys(5, 1, closed);
+            set_energy(input, energy);
+            input.desc.position_count = 2000;
+            input.desc.pacing = FLG_MOTION_PACING_PATH;
+            const auto given = make(random_keys(5, 1, closed));
+            const auto motion = make(input);
+            const FlgMotionView& view = motion->view();
+            const Vec3 middle(view.barycentre[0], view.barycentre[1], view.barycentre[2]);
+            const uint32_t last = closed ? view.position_count : view.position_count - 1;
+            EXPECT_NEAR(view.times[last], closed ? input.desc.end_time : input.times[4], 1e-12);
+            const double speed = view.length / (view.times[last] - view.times[0]);
+            for (uint32_t i = 0; i < last; ++i) {
+                const Vec3 a = pose_at(view.poses + 12 * i).at(middle),
+                           b = pose_at(view.poses + 12 * ((i + 1) % view.position_count)).at(middle);
+                EXPECT_NEAR((b - a).norm() / (view.times[i + 1] - view.times[i]), speed, 2e-3 * speed) << i;
+            }
+            for (uint32_t k = 0; k < 5; ++k) {
+                for (int c = 0; c < 12; ++c)
+                    EXPECT_NEAR(view.poses[12 * view.key_positions[k] + c], input.poses[12 * k + c], 1e-13);
+            }
+            // A speed instead of a duration.
+            input.desc.speed = 2;
+            const auto faster = make(input);
+            EXPECT_NEAR(faster->view().times[last] - faster->view().times[0], view.length / 2, 1e-4 * view.length);
+        }
+    }
+}
+
+TEST(Motion, TheBodysSpeedCountsItsTurns) {
+    // Turns on the spot, then goes.
+    MotionInput input = random_keys(3, 1, false);
+    input.body = BodyInertia();
+    for (size_t k = 0; k < 3; ++k) {
+        const Mat3 rotation = turn(Vec3(0, 0, k > 0 ? 1 : 1e-9));
+        const Vec3 place(k == 2 ? 2 : 0, 0, 0);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column) input.poses[12 * k + 4 * row + column] = rotation(row, column);
+            input.poses[12 * k + 4 * row + 3] = place[row];
+        }
+    }
+    set_energy(input, FLG_SPLINE_ENERGY_E1);
+    input.desc.pacing = FLG_MOTION_PACING_BODY;
+    input.desc.speed = 1;
+    input.desc.position_count = 400;
+    const auto motion = make(input);
+    const FlgMotionView& view = motion->view();
+    // The six points of a ball of 1 m: two of them stay on the axis.
+    EXPECT_NEAR(view.times[view.key_positions[1]] - view.times[0], std::sqrt(4.0 / 6), 1e-4);
+    EXPECT_NEAR(view.times[399] - view.times[view.key_positions[1]], 2, 1e-4);
+    input.desc.pacing = FLG_MOTION_PACING_PATH;
+    try {
+        make(input);
+        ADD_FAILURE();
+    } catch (const Failure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("keys[1] has its barycentre where the one before it has"),
+                  std::string::npos)
+            << failure.what();
+    }
+}
+
+TEST(Motion, EasesKeepTimesOfKeysAndStop) {
+    MotionInput input = random_keys(4, 1, false);
+    input.eases = {0, 1, 1, 1, 0.5, 0.5, 1, 0};
+    input.desc.position_count = 3 * 200 + 1;
+    const auto motion = make(input);
+    const FlgMotionView& view = motion->view();
+    const auto plain = make([&] {
+        MotionInput without = input;
+        without.eases.clear();
+        return without;
+    }());
+    const auto speed = [](const FlgMotionView& of, uint32_t i) {
+        return (pose_at(of.poses + 12 * (i + 1)).place - pose_at(of.poses + 12 * i).place).norm() /
+               (of.times[i + 1] - of.times[i]);
+    };
+    for (uint32_t k = 0; k < 4; ++k) {
+        const uint32_t at = view.key_positions[k];
+        EXPECT_EQ(view.times[at], input.times[k]);
+        for (int c = 0; c < 12; ++c) EXPECT_NEAR(view.poses[12 * at + c], input.poses[12 * k + c], 1e-13);
+    }
+    const uint32_t second = view.key_positions[1], third = view.key_positions[2];
+    EXPECT_LT(speed(view, 0), 0.03 * speed(plain->view(), 0));
+    EXPECT_LT(speed(view, second - 1), 0.03 * speed(plain->view(), second - 1));
+    EXPECT_LT(speed(view, second), 0.03 * speed(plain->view(), second));
+    EXPECT_NEAR(speed(view, third), 0.5 * speed(plain->view(), third), 0.05 * speed(plain->view(), third));
+}
+
+TEST(Motion, LimitsSlowWhatIsTooFastAndKeepThePath) {
+    for (const bool closed : {false, true}) {
+        MotionInput input = random_keys(5, 1.5, closed);
+        input.desc.position_count = 3000;
+        const auto plain = make(input);
+        input.desc.max_speed = 2;
+        input.desc.max_turn = 1;
+        input.desc.max_acceleration = 3;
+        const auto motion = make(input), halting = make(input, true);
+        const FlgMotionView& view = motion->view();
+        EXPECT_GT(plain->view().greatest_speed, 3);
+        EXPECT_GT(plain->view().greatest_turn, 1.2);
+        EXPECT_LE(view.greatest_speed, 2 * 1.005);
+        EXPECT_LE(view.greatest_turn, 1 * 1.005);
+        EXPECT_LE(view.greatest_acceleration, 3 * 1.05);
+        EXPECT_NEAR(view.length, plain->view().length, 1e-3 * view.length);
+        EXPECT_GT(view.times[2999], plain->view().times[2999]);
+        EXPECT_TRUE(std::equal(view.poses, view.poses + 12 * 3000, halting->view().poses));
+        // Places of the slower motion are places of the other one.
+        for (uint32_t i = 0; i < 3000; i += 50) {
+            double nearest = 1e9;
+            for (uint32_t j = 0; j < 3000; ++j) {
+                nearest = std::min(
+                    nearest, (pose_at(view.poses + 12 * i).place - pose_at(plain->view().poses + 12 * j).place).norm());
+            }
+            EXPECT_LT(nearest, 0.01);
+        }
+        for (uint32_t k = 0; k < 5; ++k) {
+            for (int c = 0; c < 12; ++c)
+                EXPECT_NEAR(view.poses[12 * view.key_positions[k] + c], input.poses[12 * k + c], 1e-13);
+        }
+    }
+}
+
+// In the angle to the target and the way upwards.
+TEST(Motion, LooksAtAPointAndAtAnotherCurve) {
+    MotionInput input = random_keys(5, 1.5, true);
+    input.body = BodyInertia();
+    input.look.kind = LookKind::target;
+    input.look.up = Vec3(0, 0, 2);
+    input.look.points = {9, 1, 2};
+    const auto check = [&](const std::function<Vec3(double)>& target) {
+        const auto motion = make(input);
+        const FlgMotionView& view = motion->view();
+        for (uint32_t i = 0; i < view.position_count; ++i) {
+            const Pose pose = pose_at(view.poses + 12 * i);
+            const Vec3 direction = (target(view.times[i]) - pose.place).normalized();
+            EXPECT_LT((pose.rotation * -Vec3::UnitZ() - direction).norm(), 1e-12);
+            EXPECT_GT((pose.rotation * Vec3::UnitY()).z(), 0);
+            EXPECT_NEAR((pose.rotation * Vec3::UnitX()).z(), 0, 1e-12);
+        }
+        return motion;
+    };
+    const auto still = check([](double) { return Vec3(9, 1, 2); });
+    EXPECT_EQ(still->view().rotation_energy, 0);
+    input.look.points = {9, 1, 2, 19, 1, 2};
+    input.look.times = {1, 3};
+    check([](double time) { return Vec3(9 + 5 * std::clamp(time - 1, 0.0, 2.0), 1, 2); });
+    input.look.times = {3, 1};
+    try {
+        make(input);
+        ADD_FAILURE();
+    } catch (const Failure& failure) {
+        EXPECT_STREQ(failure.what(), "look_times[1] is 1 after 3; times must rise");
+    }
+}
+
+// A circle at constant speed: the angle's tangent is v^2 / (r g).
+TEST(Motion, LooksAheadAndLeansIntoCurves) {
+    MotionInput input = random_keys(8, 0, true);
+    input.body = BodyInertia();
+    constexpr double radius = 20, period = 12;
+    for (size_t k = 0; k < 8; ++k) {
+        const double angle = 0.25 * 3.14159265358979323846 * static_cast<double>(k);
+        input.times[k] = period / 8 * static_cast<double>(k);
+        const Vec3 place(radius * std::cos(angle), radius * std::sin(angle), 0);
+        for (int row = 0; row < 3; ++row) input.poses[12 * k + 4 * row + 3] = place[row];
+    }
+    input.desc.end_time = period;
+    input.desc.position_count = 800;
+    input.look.kind = LookKind::path;
+    input.look.up = Vec3::UnitZ();
+    input.look.bank = 1;
+    const auto motion = make(input);
+    const FlgMotionView& view = motion->view();
+    const double speed = 2 * 3.14159265358979323846 * radius / period, tangent = speed * speed / radius / 9.80665;
+    EXPECT_NEAR(std::tan(view.greatest_bank), tangent, 0.02 * tangent);
+    for (uint32_t i = 0; i < 800; ++i) {
+        const Pose pose = pose_at(view.poses + 12 * i);
+        const Vec3 out = pose.place.normalized(), up = pose.rotation * Vec3::UnitY();
+        EXPECT_NEAR(std::atan2(-up.dot(out), up.z()), std::atan(tangent), 0.03);
+        EXPECT_GT((pose.rotation * -Vec3::UnitZ()).dot(Vec3::UnitZ().cross(out)), 0.999);
+    }
+}
+
+// Everything at once, in another world.
+TEST(Motion, LooksAndLawsAreEquivariant) {
+    MotionInput input = random_keys(5, 1, false);
+    input.look.kind = LookKind::target;
+    input.look.points = {9, 1, 2, 3, -8, 1};
+    input.look.bank = 0.5;
+    input.desc.pacing = FLG_MOTION_PACING_PATH;
+    input.desc.max_acceleration = 2;
+    input.eases = {0, 0, 0.5, 0.5, 0, 0, 0, 0, 0, 0};
+    const Pose space{turn(Vec3(1, -2, 0.5)), Vec3(5, 6, -7)};
+    MotionInput moved = input;
+    moved.look.up = space.rotation * input.look.up;
+    for (size_t i = 0; i < 2; ++i) {
+        const Vec3 point =
+            space.at(Vec3(input.look.points[3 * i], input.look.points[3 * i + 1], input.look.points[3 * i + 2]));
+        std::copy_n(point.data(), 3, &moved.look.points[3 * i]);
+    }
+    for (size_t i = 0; i < 5; ++i) {
+        const Pose pose = pose_at(&input.poses[12 * i]);
+        const Mat3 rotation = space.rotation * pose.rotation;
+        const Vec3 place = space.at(pose.place);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column) moved.poses[12 * i + 4 * row + column] = rotation(row, column);
+            moved.poses[12 * i + 4 * row + 3] = place[row];
+        }
+    }
+    const auto first = make(input), second = make(moved);
+    for (uint32_t i = 0; i < input.desc.position_count; ++i) {
+        EXPECT_NEAR(first->view().times[i], second->view().times[i], 1e-8);
+        const Pose a = pose_at(first->view().poses + 12 * i), b = pose_at(second->view().poses + 12 * i);
+        EXPECT_LT((space.rotation * a.rotation - b.rotation).norm(), 1e-6);
+        EXPECT_LT((space.at(a.place) - b.place).norm(), 1e-6);
+    }
+}
+
+TEST(Motion, ACameraKeepsItsNearPlaneOutOfObstaclesAndLooks) {
+    MotionInput input = random_keys(2, 0, false);
+    input.body = BodyInertia();
+    input.desc.position_count = 200;
+    for (int row = 0; row < 3; ++row) {
+        input.poses[4 * row + 3] = row == 0 ? -4 : 0.1;
+        input.poses[12 + 4 * row + 3] = row == 0 ? 4 : 0.1;
+    }
+    const auto held = std::make_shared<Obstacles>(3u, nan_memory());
+    const double centre[3] = {0, 0, 0};
+    held->solids.push_back(std::make_shared<BallObstacle>(3, centre, 1.0));
+    const Obstacle* const solid = held->solids[0].get();
+    held->clearance = 0.1;
+    held->set.emplace(std::span(&solid, 1), held->clearance, nan_memory());
+    input.obstacles = held;
+    input.desc.clearance = 0.3;
+    input.look.kind = LookKind::target;
+    input.look.points = {0, 0, 0};
+    input.look.up = Vec3::UnitZ();
+    const auto motion = make(input);
+    double least = 1e9;
+    for (uint32_t i = 0; i < 200; ++i) {
+        const Pose pose = pose_at(motion->view().poses + 12 * i);
+        least = std::min(least, pose.place.norm());
+        EXPECT_LT((pose.rotation * Vec3::UnitZ() - pose.place.normalized()).norm(), 1e-12);
+    }
+    EXPECT_GT(least, 1.4 - 1e-4);
+    EXPECT_LT(least, 1.45);
+    // A pause beside the obstacle.
+    input = random_keys(4, 0, false);
+    input.body = BodyInertia();
+    const double places[4][3] = {{-4, 0.1, 0.1}, {0, 1.6, 0}, {0, 1.6, 0}, {4, 0.1, 0.1}};
+    for (size_t k = 0; k < 4; ++k) {
+        for (size_t row = 0; row < 3; ++row) input.poses[12 * k + 4 * row + 3] = places[k][row];
+    }
+    input.obstacles = held;
+    const auto pausing = make(input);
+    const FlgMotionView& view = pausing->view();
+    EXPECT_EQ(view.poses[12 * view.key_positions[1] + 7], view.poses[12 * view.key_positions[2] + 7]);
+    const uint32_t at = view.key_positions[1];
+    EXPECT_LT((pose_at(view.poses + 12 * at).place - pose_at(view.poses + 12 * (at - 1)).place).norm(), 0.02);
+}
+
+// Fig. 11: a measured motion that trembles is smooth after a few rounds, however long it is.
+TEST(Motion, AFewRoundsFairAMeasuredMotion) {
+    for (const size_t count : {100u, 1000u, 4000u}) {
+        MotionInput input = random_keys(count, 0, false);
+        std::mt19937 random(7);
+        std::normal_distribution<double> noise(0, 0.01);
+        for (size_t i = 0; i < count; ++i) {
+            const double t = 0.05 * static_cast<double>(i);
+            input.times[i] = t;
+            const Mat3 rotation =
+                turn(Vec3(0.2 * std::sin(t), t, 0.3 * std::cos(0.7 * t)) + Vec3(1, 1, 1) * noise(random));
+            const Vec3 place(3 * std::sin(t) + noise(random), std::cos(0.5 * t) + noise(random), t + noise(random));
+            for (int row = 0; row < 3; ++row) {
+                for (int column = 0; column < 3; ++column)
+                    input.poses[12 * i + 4 * row + column] = rotation(row, column);
+                input.poses[12 * i + 4 * row + 3] = place[row];
+            }
+        }
+        input.desc.position_count = static_cast<uint32_t>(count);
+        input.desc.smoothing = 1e-3;
+        const auto motion = make(input);
+        EXPECT_EQ(motion->view().ending, FLG_SPLINE_ENDING_CONVERGED);
+        EXPECT_LE(motion->view().rounds, 4u);
+        double off = 0, rough = 0, smooth = 0;
+        const auto bend = [](const double* poses, size_t i) {
+            return (pose_at(poses + 12 * (i + 1)).place - 2 * pose_at(poses + 12 * i).place +
+                    pose_at(poses + 12 * (i - 1)).place)
+                .squaredNorm();
+        };
+        for (size_t i = 1; i + 1 < count; ++i) {
+            off = std::max(off,
+                           (pose_at(motion->view().poses + 12 * i).place - pose_at(&input.poses[12 * i]).place).norm());
+            rough += bend(input.poses.data(), i);
+            smooth += bend(motion->view().poses, i);
+        }
+        EXPECT_LT(off, 0.06);
+        EXPECT_LT(smooth, 0.05 * rough);
+    }
+}
+
+// Counts what is given back: that takes as long as it is large.
+class CountingMemory final : public Memory {
+public:
+    size_t given_back = 0;
+
+private:
+    void* do_allocate(size_t bytes, size_t alignment) override {
+        return std::pmr::new_delete_resource()->allocate(bytes, alignment);
+    }
+    void do_deallocate(void* block, size_t bytes, size_t alignment) override {
+        given_back += bytes;
+        std::pmr::new_delete_resource()->deallocate(block, bytes, alignment);
+    }
+    bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
+};
+
+// A motion's memory is 4 kB a position while it is made; no slice gives more than a few numbers of each back.
+TEST(Motion, NoSliceGivesMuchMemoryBack) {
+    for (const FlgSplineEnergy energy : all_energies) {
+        MotionInput input = random_keys(600, 0.5, false);
+        set_energy(input, energy);
+        input.desc.position_count = 32 * 600;
+        input.desc.max_speed = 3;
+        CountingMemory memory;
+        size_t most = 0, all = 0;
+        const auto motion = std::make_shared<Motion>(input, &memory);
+        run_haltingly(
+            &memory, [&](Pace& pace) { return make_motion(pace, motion); },
+            [&](const auto& slice) {
+                const size_t before = memory.given_back;
+                slice();
+                most = std::max(most, memory.given_back - before);
+                all = memory.given_back;
+            });
+        EXPECT_GT(all, size_t{2000} * input.desc.position_count);
+        EXPECT_LT(most, size_t{320} * input.desc.position_count);
+    }
+}
+
 TEST(Motion, SameBitsWhereverItPauses) {
     const MotionInput input = random_keys(6, 2, true);
     const auto whole = make(input), halting = make(input, true);
     EXPECT_TRUE(
         std::equal(whole->view().poses, whole->view().poses + 12 * input.desc.position_count, halting->view().poses));
     EXPECT_EQ(whole->view().energy, halting->view().energy);
+    for (const FlgSplineEnergy energy : all_energies) {
+        MotionInput paused = with_pause(energy, true);
+        paused.desc.pacing = FLG_MOTION_PACING_BODY;
+        paused.look.kind = LookKind::path;
+        paused.look.bank = 1;
+        const auto a = make(paused), b = make(paused, true);
+        EXPECT_TRUE(std::equal(a->view().poses, a->view().poses + 12 * paused.desc.position_count, b->view().poses));
+    }
 }
 
 }  // namespace

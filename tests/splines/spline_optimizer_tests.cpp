@@ -339,7 +339,7 @@ TEST(SplineOptimizer, MovingEverythingMovesTheCurve) {
 // clamped along these normals.
 Eigen::MatrixXd spline_energy_matrix(const std::vector<double>& steps, const Vec3& first, const Vec3& last) {
     const auto nodes = static_cast<uint32_t>(steps.size() + 1);
-    Moments moments(nodes, 3, false, std::pmr::new_delete_resource());
+    Moments moments(nodes, 3, false, 0, std::pmr::new_delete_resource());
     std::copy(steps.begin(), steps.end(), moments.steps().begin());
     Eigen::Map<Eigen::Matrix3d>(moments.end(false).normals) = first * first.transpose();
     Eigen::Map<Eigen::Matrix3d>(moments.end(true).normals) = last * last.transpose();

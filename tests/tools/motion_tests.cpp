@@ -126,6 +126,31 @@ TEST_F(MotionCommand, KeepsOutOfObstacles) {
     expect_refused({"motion", "tumble.json", "--poses", "out.txt", "--obstacles", "none.json"}, 1, {"none.json"});
 }
 
+TEST_F(MotionCommand, ACameraGlidesPastAnObstacle) {
+    folder.write("ball.json",
+                 R"({"clearance": 0.1, "obstacles": [{"ball": {"centre": [1.6, 0.7, 0], "radius": 0.4}}]})");
+    Json json = Json::parse(tumble);
+    json["timing"] = "chord";
+    json["pacing"] = "path";
+    json["speed"] = 2;
+    json["limits"] = {{"acceleration", 1}};
+    json["look"] = {{"at", {1.6, 0.7, 0}}, {"up", {0, 0, 1}}, {"bank", 0.5}};
+    json["positions"] = 400;
+    for (Json& key : json["keys"]) key.erase("time");
+    folder.write("camera.json", json.dump());
+    done({"motion", "camera.json", "--poses", "poses.txt", "-o", "camera.glb", "--camera", "50", "--near", "0.1",
+          "--obstacles", "ball.json", "--quiet", "--report", "report.json"});
+    double least = 1e9;
+    for (const auto& p : poses()) least = std::min(least, std::hypot(p[3] - 1.6, p[7] - 0.7, p[11]));
+    const double up = std::tan(25 * std::acos(-1.0) / 180), near = 0.1 * std::sqrt(1 + up * up * (1 + 256.0 / 81));
+    EXPECT_GT(least, 0.5 + near - 1e-3);
+    EXPECT_LT(least, 0.5 + near + 0.05);
+    const auto& q = report().at("quality");
+    EXPECT_LE(q.at("greatest_speed").get<double>(), 2.01);
+    EXPECT_LE(q.at("greatest_acceleration").get<double>(), 1.1);
+    EXPECT_NEAR(q.at("duration").get<double>(), q.at("key_times")[2].get<double>(), 1e-9);
+}
+
 TEST_F(MotionCommand, RefusesWhatItCantUse) {
     const auto refused = [&](const std::string& pointer, const Json& value, const std::string& words) {
         Json json = Json::parse(tumble);
@@ -144,7 +169,17 @@ TEST_F(MotionCommand, RefusesWhatItCantUse) {
     refused("/keys/2/pose/0", "x", "motion.keys[2].pose[0]: must be a number");
     refused("/keys/1", {{"time", 1}}, "motion.keys[1]: needs `position`");
     refused("/keys/1", {{"position", {0, 0, 0}}}, "motion.keys[1]: needs `time`");
-    refused("/keys/1", {{"time", 1}, {"position", {0, 0, 0}}}, "keys[1] has the pose of keys[0], the one before it");
+    refused("/keys/1/ease_in", 2, "motion.keys[1].ease_in: must be a number from 0");
+    refused("/timing", "late", "motion.timing: is `late`, must be one of given, chord, centripetal");
+    refused("/timing", std::string(500, 'x'), "motion.timing: is `" + std::string(80, 'x') + "...`");
+    refused("/pacing", "slow", "motion.pacing: is `slow`, must be one of keys, path, body");
+    refused("/limits", {{"force", 1}}, "motion.limits: does not know `force`");
+    refused("/limits", {{"speed", -1}}, "motion.limits.speed: must be a number from 0");
+    refused("/look", Json::object(), "motion.look: needs one of `at`, `points` and `path`");
+    refused("/look", {{"at", {0, 0, 0}}, {"path", true}}, "motion.look: needs one of `at`, `points` and `path`");
+    refused("/look", {{"points", {{0, 0, 0}}}, {"times", {1, 2}}}, "motion.look.times: must be as many as `points`");
+    refused("/look", {{"at", {0, 0, 0}}, {"times", {1}}}, "motion.look.times: are those of `points`");
+    refused("/look", {{"points", {{0, 0, 0}, {1, 0, 0}}}, {"times", {2, 1}}}, "look_times[1] is 1 after 2");
     refused("/keys/1/place", 1, "motion.keys[1]: does not know `place`");
     refused("/energy", "e3", "motion.energy: is `e3`");
     refused("/tension", -1, "motion.tension: must be a number");

@@ -35,7 +35,13 @@ std::vector<Row> spline_motions() {
     Host host;
     const Keys keys = ten_keys();
     std::vector<Row> rows;
-    for (const bool closed : {false, true}) {
+    const double target[3] = {0, 0, 0};
+    struct Variant {
+        const char* name;
+        bool closed, timed;
+    };
+    for (const auto& [variant, closed, timed] : {Variant{"open", false, false}, Variant{"closed", true, false},
+                                                 Variant{"a camera within limits", true, true}}) {
         FlgMotionDesc desc = flgMotionDefaults();
         desc.times = keys.times.data();
         desc.poses = keys.poses.data();
@@ -45,6 +51,14 @@ std::vector<Row> spline_motions() {
         desc.tolerance = kSplineTolerance;
         const double box[3] = {4, 1, 2};
         std::copy_n(box, 3, desc.body_box);
+        if (timed) {
+            desc.pacing = FLG_MOTION_PACING_PATH;
+            desc.max_speed = desc.max_turn = desc.max_acceleration = 2;
+            desc.look = FLG_MOTION_LOOK_TARGET;
+            desc.look_points = target;
+            desc.look_count = 1;
+            desc.bank = 1;
+        }
         std::string note;
         const double ms = median_ms(kMotionRuns, [&] {
             FlgMotion motion{};
@@ -63,7 +77,7 @@ std::vector<Row> spline_motions() {
             check(flgMotionRelease(host.context(), motion));
             return took;
         });
-        const std::string name = std::string("motion, M = 288, ") + (closed ? "closed" : "open");
+        const std::string name = std::string("motion, M = 288, ") + variant;
         rows.push_back(below(name, ms, "ms", kMotionMs, note));
         rows.push_back(below(name + ", a position", 1000 * ms / 288, "us", kPositionUs));
     }

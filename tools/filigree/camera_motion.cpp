@@ -7,12 +7,20 @@
 
 #include "documents/failure.h"
 #include "documents/motion_file.h"
+#include "spline_obstacles.h"
 
 namespace flg::cli {
 
-CameraMotion::CameraMotion(const std::string& file, Session& session, Report& report) {
+CameraMotion::CameraMotion(const std::string& file, const std::string& obstacles, Session& session, Report& report) {
     const MotionFile keys = read_motion_file(file);
-    const FlgMotionDesc desc = desc_of(keys);
+    FlgMotionDesc desc = desc_of(keys);
+    SplineObstacles around;
+    if (!obstacles.empty()) {
+        around = read_obstacles(session, obstacles, 3, report);
+        desc.obstacles = around.handle;
+        desc.sides = around.sides.data();
+        desc.side_count = static_cast<uint32_t>(around.sides.size());
+    }
     FlgMotion motion = {};
     FlgJob job = {};
     check(flgMotionCreate(session.context(), &desc, &motion, &job), file);

@@ -12,8 +12,9 @@ namespace flg::cli {
 
 class CameraMotion {
 public:
-    // Makes the motion of a file of keyframes (motion_file.h). The session must outlive it. Throws InputError.
-    CameraMotion(const std::string& file, Session& session, Report& report);
+    // Makes the motion of a file of keyframes (motion_file.h), around the obstacles of a file (spline_obstacles.h)
+    // unless that is empty. The session must outlive it. Throws InputError.
+    CameraMotion(const std::string& file, const std::string& obstacles, Session& session, Report& report);
 
     // When it begins and ends; of a closed one, when it comes round.
     double begin() const { return view_.times[0]; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // filigree motion: from keyframes to a smooth motion.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -19,7 +20,7 @@ namespace {
 
 struct Options {
     std::string keys, output, poses, mesh, obstacles;
-    double camera_degrees = 0;
+    double camera_degrees = 0, near_plane = 0, aspect = 16.0 / 9;
 };
 
 constexpr const char* energies[] = {"e2", "e1", "et"};
@@ -144,6 +145,21 @@ void describe(const MotionFile& file, const FlgMotionView& view, Report& report)
     report.quality["residual"] = view.residual;
     report.quality["greatest_stretch"] = view.greatest_stretch;
     report.quality["body_radius"] = view.radius;
+    report.quality["duration"] = view.times[view.position_count - (view.closed != 0 ? 0 : 1)] - view.times[0];
+    report.quality["length"] = view.length;
+    report.quality["greatest_speed"] = view.greatest_speed;
+    report.quality["greatest_acceleration"] = view.greatest_acceleration;
+    report.quality["greatest_turn"] = view.greatest_turn;
+    report.quality["greatest_bank"] = view.greatest_bank;
+    nlohmann::ordered_json times = nlohmann::ordered_json::array();
+    for (uint32_t i = 0; i < view.key_count; ++i) times.push_back(view.times[view.key_positions[i]]);
+    report.quality["key_times"] = times;
+}
+
+// How far a corner of the near plane is from the eye.
+double near_radius(const Options& options) {
+    const double up = std::tan(0.5 * options.camera_degrees * std::numbers::pi / 180);
+    return options.near_plane * std::sqrt(1 + up * up * (1 + options.aspect * options.aspect));
 }
 
 void run_motion(const Options& options, const CommonOptions& common) {
@@ -162,6 +178,7 @@ void run_motion(const Options& options, const CommonOptions& common) {
     }
     Session session(common);
     FlgMotionDesc desc = desc_of(file);
+    desc.clearance += near_radius(options);
     SplineObstacles obstacles;
     if (!options.obstacles.empty()) {
         obstacles = read_obstacles(session, options.obstacles, 3, report);
@@ -203,6 +220,13 @@ Command add_motion(CLI::App& program, const CommonOptions& common) {
         ->add_option("--camera", options->camera_degrees,
                      "The body is a camera that looks along -z, with this field of view from bottom to top, degrees")
         ->check(CLI::Range(1.0, 179.0));
+    command
+        ->add_option("--near", options->near_plane,
+                     "With --obstacles: the near plane's distance, metres; its corners keep out too")
+        ->check(CLI::Range(0.0, 1e6));
+    command->add_option("--aspect", options->aspect, "Of the picture, width over height")
+        ->check(CLI::Range(0.01, 100.0))
+        ->capture_default_str();
     command
         ->add_option(
             "--obstacles", options->obstacles,

@@ -127,7 +127,7 @@ void run_render(const Options& options, const CommonOptions& common) {
     Session session(common);
     std::optional<CameraMotion> motion;
     if (!options.scene.camera_motion.empty()) {
-        motion.emplace(options.scene.camera_motion, session, report);
+        motion.emplace(options.scene.camera_motion, options.scene.camera_obstacles, session, report);
         check_time(options, *motion);
     }
     say_step("starting the renderer");
@@ -185,6 +185,9 @@ Command add_render(CLI::App& program, const CommonOptions& common) {
                     "with --frames all along it")
         ->type_name("KEYS.json")
         ->excludes("--camera");
+    app->add_option("--camera-obstacles", o->scene.camera_obstacles, "What that camera keeps out of")
+        ->type_name("OBSTACLES.json")
+        ->needs("--camera-motion");
     app->add_option("--frames", o->frames,
                     "Pictures of a turn around or of a motion, 1 to 10000; several are called OUT-0001.png ...")
         ->capture_default_str()

@@ -16,12 +16,13 @@ namespace flg::cli {
 struct SceneOptions {
     std::vector<std::string> files;
     Shapes as = Shapes::automatic;
-    double radius = 0.0;        // of curves that bring none, metres; 0 = from the size of the whole
-    std::string field;          // a file, or empty
-    double every = 0.0;         // between isolines; 0 = a round number that gives about 20
-    PoseOptions pose;           // of all skins
-    std::string camera_motion;  // a file, or empty; the pose's time is the camera's too
-    bool bones = false;         // whether joints and bones are drawn over them
+    double radius = 0.0;           // of curves that bring none, metres; 0 = from the size of the whole
+    std::string field;             // a file, or empty
+    double every = 0.0;            // between isolines; 0 = a round number that gives about 20
+    PoseOptions pose;              // of all skins
+    std::string camera_obstacles;  // a file, or empty
+    std::string camera_motion;     // a file, or empty; the pose's time is the camera's too
+    bool bones = false;            // whether joints and bones are drawn over them
 };
 
 // By the file's materials; where it has several regions and none, in colours of ours with lines between.

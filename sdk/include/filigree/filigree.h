@@ -764,7 +764,7 @@ typedef struct FlgCurveSetStylizeDesc {
      * Default 0. */
     uint32_t keep_displacement;
     /* Maximum points in the result, at most 2^31: guards against a scale far too small for the target. A larger result
-     * fails with FLG_ERROR_LIMIT before memory is taken for it. 0: 2^31. Default 0. */
+     * fails with FLG_ERROR_LIMIT before memory is taken for it. 0: 2^31. Default 2^26. */
     uint32_t max_points;
     /* Nonzero: points of open curves are exactly FlgStyleInfo::spacing * scale apart, as those of live strokes: the
      * last lies up to one step before the target's end, and no run goes on to the style's end for it. So a live

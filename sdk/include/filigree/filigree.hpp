@@ -448,6 +448,15 @@ using SplineStart = FlgSplineStart;
 /// Why the optimization ended. A curve is available in each case.
 using SplineEnding = FlgSplineEnding;
 
+/// How times of keys come about.
+using MotionTiming = FlgMotionTiming;
+
+/// How fast the path is passed.
+using MotionPacing = FlgMotionPacing;
+
+/// Where the body's -z points, with its +y upwards, as a camera.
+using MotionLook = FlgMotionLook;
+
 /// What to draw of an object; combined with |.
 using DebugPart = FlgDebugPart;
 
@@ -1614,12 +1623,22 @@ struct MotionView {
     double energy{};
     /// the barycentre's share: mass times its path's energy
     double barycentre_energy{};
-    /// the rest: that of the rotations
+    /// the rest: that of the rotations; 0 of a body that looks. Before re-timing
     double rotation_energy{};
     /// of the rotations, see FlgSplineView
     double residual{};
     /// as in the descriptor
     double origin[3]{};
+    /// of the barycentre's path, metres
+    double length{};
+    /// of the barycentre, m/s
+    double greatest_speed{};
+    /// of the barycentre, m/s^2; from second differences
+    double greatest_acceleration{};
+    /// rad/s
+    double greatest_turn{};
+    /// rad
+    double greatest_bank{};
 
     /// Empty.
     MotionView() { flgMotionViewInit(&c_, detail::size_of<FlgMotionView>); }
@@ -1641,6 +1660,11 @@ struct MotionView {
         rotation_energy = c.rotation_energy;
         residual = c.residual;
         for (int i = 0; i < 3; ++i) origin[i] = c.origin[i];
+        length = c.length;
+        greatest_speed = c.greatest_speed;
+        greatest_acceleration = c.greatest_acceleration;
+        greatest_turn = c.greatest_turn;
+        greatest_bank = c.greatest_bank;
         times = detail::span(c.times, std::size_t{position_count} + (closed != 0));
         poses = detail::span(c.poses, std::size_t{12} * position_count);
         quaternions = detail::span(c.quaternions, std::size_t{4} * position_count);
@@ -2839,6 +2863,20 @@ struct MotionDesc : FlgMotionDesc {
     }
     /// A list would end before the descriptor is used.
     void set_sides(std::initializer_list<FlgObstacleSide>) = delete;
+    /// Sets look_points and look_count. The array must live until the descriptor is used.
+    void set_look_points(Span<const double> values) {
+        look_points = values.data();
+        look_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_look_points(std::initializer_list<double>) = delete;
+    /// Sets look_times and look_count. The array must live until the descriptor is used.
+    void set_look_times(Span<const double> values) {
+        look_times = values.data();
+        look_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_look_times(std::initializer_list<double>) = delete;
 };
 
 /// FlgPickSceneDesc with its defaults.
@@ -4615,10 +4653,13 @@ public:
     /// the energies of their paths. The barycentre's path is then the classical spline. At every moment the fourth
     /// derivatives (E1: the second ones) of the points' paths, taken as forces, are in balance: they neither push nor
     /// turn the body. Between keys a body turns the shorter way round; to force the longer way, add a key in between.
-    /// The job fails with FLG_ERROR_INVALID_ARGUMENT for fewer than two keys, times that do not rise by 1e-9 of the
-    /// whole motion, numbers that are not finite, poses that reflect or that stretch by more than 0.001 (less is
-    /// removed), two consecutive keys with the same pose, and keys whose barycentre is in an obstacle; the message
-    /// names the key. Cost: some 15 us a position, closed 20; around obstacles what the spline there costs.
+    /// Two consecutive keys with the same pose are a pause: the body comes to rest, stands still and leaves from rest
+    /// (not with smoothing, which passes near both). The job fails with FLG_ERROR_INVALID_ARGUMENT for fewer than two
+    /// keys, times that do not rise by 1e-9 of the whole motion, numbers that are not finite, poses that reflect or
+    /// that stretch by more than 0.001 (less is removed), found times between keys with the same pose, eases that are
+    /// not from 0 to 1, and keys whose barycentre is in an obstacle; the message names the key. Cost: some 15 us a
+    /// position, closed 20, with E1 40; re-timing and looking 1 to 5 more; around obstacles what the spline there
+    /// costs.
     /// Calls flgMotionCreate.
     Result<Motion> motion(const MotionDesc& desc, Job* out_job = nullptr) const {
         FlgMotion out_motion{};

@@ -240,7 +240,7 @@ public:
     static bool is_precise(PlyType) { return true; }
     int64_t integer(PlyType, const char* name) { return cursor_.integer(name); }
     void skip(PlyType, const char* name) {
-        if (cursor_.word().empty()) fail(FLG_ERROR_FORMAT, place(), "the %s is missing", name);
+        if (cursor_.word().empty()) fail(FLG_ERROR_FORMAT, place(), "the %.80s is missing", name);
     }
 
     String place() const { return line_place(lines_.number()); }
@@ -264,7 +264,7 @@ public:
                                                        : static_cast<float>(integer(type, name));
         if (!(std::abs(value) <= max_coordinate)) {
             fail(FLG_ERROR_FORMAT, byte_place("", reader_.position() - ply_size(type)),
-                 "the %s is %g: must be finite and at most 1e30 in size", name, double{value});
+                 "the %.80s is %g: must be finite and at most 1e30 in size", name, double{value});
         }
         return value;
     }
@@ -400,7 +400,7 @@ private:
     uint64_t read_list_size(const PlyProperty& property) {
         const int64_t count = rows_.integer(property.count_type, property.name.c_str());
         if (count < 0) {
-            fail(FLG_ERROR_FORMAT, rows_.place(), "the list %s has %lld values", property.name.c_str(),
+            fail(FLG_ERROR_FORMAT, rows_.place(), "the list %.80s has %lld values", property.name.c_str(),
                  static_cast<long long>(count));
         }
         return static_cast<uint64_t>(count);

@@ -75,6 +75,8 @@ constexpr uint16_t method_deflate = 8;
 // Deflate's shortest code for its longest run: 258 bytes from 2 bits. A little more for the block's header.
 constexpr uint64_t deflate_ratio = 1032;
 constexpr uint64_t deflate_slack = 1024;
+// Real sketches shrink to a third, their metadata to a tenth. Beyond this much more is made of members than is read.
+constexpr uint64_t max_ratio = 64, always_unpacked = uint64_t{32} << 20;
 
 // The end record is found from behind: its comment must end where the file does.
 size_t find_end_record(Bytes file) {
@@ -119,6 +121,11 @@ ByteBlock inflate_member(Bytes packed, uint32_t size, const String& place) {
     if (size > packed.size() * deflate_ratio + deflate_slack) {
         fail(FLG_ERROR_FORMAT, place, "can't unpack to the %u bytes it declares: it has %zu packed ones", size,
              packed.size());
+    }
+    if (size > always_unpacked && size > packed.size() * max_ratio) {
+        fail(FLG_ERROR_LIMIT, place,
+             "declares %u bytes of %zu packed ones, more than %llu for each: no sketch is so empty", size,
+             packed.size(), static_cast<unsigned long long>(max_ratio));
     }
     z_stream stream = {};
     stream.zalloc = take_for_zlib;

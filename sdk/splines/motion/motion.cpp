@@ -2,11 +2,11 @@
 #include "splines/motion/motion.h"
 
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "core/failure.h"
 #include "splines/manifolds/rotation_manifold.h"
-#include "splines/manifolds/space_manifold.h"
+#include "splines/motion/run_spline.h"
 #include "splines/optimizer/natural_cubic.h"
 
 namespace flg {
@@ -15,243 +15,129 @@ namespace {
 
 using Mat3 = Eigen::Matrix3d;
 
-constexpr uint32_t coarse_intervals = 6;  // a segment
-constexpr double coarse_tolerance = 1e-3;
-constexpr uint32_t path_intervals = 16;  // a segment, at least, around obstacles
-
-// The chain of positions, or a coarser one: where keys are, and when its nodes are passed.
-struct Chain {
-    uint32_t nodes;
-    Buffer<uint32_t> knots;  // one a key
-};
+constexpr uint32_t law_intervals = 16;  // a segment, at least, where limits are looked at
+constexpr double min_segment = 1e-9;    // of the whole duration, from key to key
 
 struct Scene {
     const MotionInput& input;
     const MotionKeys& keys;
     const RotationManifold& rotations;
-    uint32_t segments() const { return static_cast<uint32_t>(keys.times().size()) - 1; }
-    uint32_t key_after(uint32_t segment) const { return segment + 1 == keys.count() ? 0 : segment + 1; }
+
+    bool closed() const { return input.desc.closed != 0; }
+    bool turns() const { return input.look.kind == LookKind::keys; }
 };
 
-// Positions that are not keys are shared by segments as their durations are.
-Chain fine_chain(const Scene& scene, Memory* memory) {
-    const std::span<const double> times = scene.keys.times();
-    const uint32_t more = scene.input.desc.position_count - static_cast<uint32_t>(scene.keys.count());
-    Chain chain{scene.input.desc.position_count, Buffer<uint32_t>(scene.keys.count(), memory)};
-    for (uint32_t i = 0; i < chain.knots.size(); ++i) {
+// All nodes of a motion, with the barycentre's places and the rotations (rotation_manifold.h): 3 and 9 numbers each.
+struct Nodes {
+    RunChain chain;
+    Buffer<double> places, rotations;
+};
+
+// Nodes that are not keys are shared by segments as their durations are.
+Task<RunChain> share_nodes(Pace& pace, uint32_t nodes, size_t keys, std::span<const double> times) {
+    const uint32_t more = nodes - static_cast<uint32_t>(keys);
+    RunChain chain{nodes, Buffer<uint32_t>(keys, pace.memory()), Buffer<double>(times.size(), pace.memory())};
+    co_await each(pace, times.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        chain.times[i] = times[i];
+        if (i >= keys) return;
         const double share = (times[i] - times.front()) / (times.back() - times.front());
         chain.knots[i] = i + static_cast<uint32_t>(std::lround(share * more));
-    }
-    return chain;
+    });
+    co_return chain;
 }
 
-Chain coarse_chain(const Scene& scene, Memory* memory) {
-    Chain chain{coarse_intervals * scene.segments() + (scene.input.desc.closed ? 0 : 1),
-                Buffer<uint32_t>(scene.keys.count(), memory)};
-    for (uint32_t i = 0; i < chain.knots.size(); ++i) chain.knots[i] = coarse_intervals * i;
-    return chain;
+// When nodes are passed; of closed motions also the end.
+Task<Buffer<double>> node_times(Pace& pace, const RunChain& chain) {
+    const bool closed = chain.times.size() > chain.knots.size();
+    Buffer<double> times(chain.nodes + (closed ? 1 : 0), pace.memory());
+    ChainWalk walk(chain);
+    co_await each(pace, chain.nodes, Cost::tens_of_ns, [&](uint32_t i) {
+        walk.go_to(i);
+        times[i] = walk.time;
+    });
+    if (closed) times[chain.nodes] = chain.times[chain.knots.size()];
+    co_return times;
 }
 
-// Goes along the nodes of a chain: each one's segment, and its share of that.
-class ChainWalk {
-public:
-    ChainWalk(const Scene& scene, const Chain& chain) : scene_(scene), chain_(chain) {}
-
-    void go_to(uint32_t node) {
-        while (segment + 1 < chain_.knots.size() && node >= chain_.knots[segment + 1]) ++segment;
-        const bool at_end = segment == scene_.segments();
-        const uint32_t first = chain_.knots[segment];
-        const uint32_t end = segment + 1 < chain_.knots.size() ? chain_.knots[segment + 1] : chain_.nodes;
-        share = node == first ? 0 : static_cast<double>(node - first) / (end - first);
-        const std::span<const double> times = scene_.keys.times();
-        time = share == 0 ? times[segment] : times[segment] + share * (times[segment + 1] - times[segment]);
-        if (at_end) segment = scene_.segments();
-    }
-
-    uint32_t segment = 0;  // at the end of an open chain the number of segments
-    double share = 0, time = 0;
-
-private:
-    const Scene& scene_;
-    const Chain& chain_;
+// A run's part of all nodes: where it begins among them, its own chain.
+struct RunPart {
+    uint32_t first;
+    RunChain chain;
 };
 
-double min_tension(const MotionInput& input) {
-    return input.bending() > 0 ? input.tension() : std::numeric_limits<double>::infinity();
+Task<RunPart> part_of(Pace& pace, const Scene& scene, const RunChain& chain, MotionRun run) {
+    const size_t count = scene.keys.count();
+    const double period = chain.times[chain.times.size() - 1] - chain.times[0];
+    RunPart part{
+        chain.knots[run.first],
+        {0, Buffer<uint32_t>(run.keys, pace.memory()), Buffer<double>(run.keys + (run.closed ? 1 : 0), pace.memory())}};
+    co_await each(pace, run.keys, Cost::some_ns, [&](uint32_t i) {
+        const size_t key = run.first + i;
+        const bool again = key >= count;
+        part.chain.knots[i] = chain.knots[key % count] + (again ? chain.nodes : 0) - part.first;
+        part.chain.times[i] = chain.times[key % count] + (again ? period : 0);
+    });
+    if (run.closed) part.chain.times[run.keys] = chain.times[count];
+    part.chain.nodes = run.closed ? chain.nodes : part.chain.knots[run.keys - 1] + 1;
+    co_return part;
 }
 
-void set_options(const MotionInput& input, SplineProblem& problem) {
-    problem.closed = input.desc.closed != 0;
-    problem.bending = input.bending();
-    problem.tension = input.tension();
-    problem.smoothing = input.desc.smoothing;
-    problem.tolerance = input.desc.tolerance;
-    problem.max_rounds = input.desc.max_rounds;
-}
-
-// What the two splines have in common.
-SplineProblem problem_of(const Scene& scene, const Manifold& manifold, const Chain& chain, Memory* memory) {
-    SplineProblem problem;
-    problem.manifold = &manifold;
-    set_options(scene.input, problem);
-    const size_t n = manifold.ambient(), count = scene.keys.count();
-    problem.points = Buffer<double>(n * chain.nodes, memory);
-    problem.knots = Buffer<uint32_t>(count, memory);
-    problem.given = Buffer<double>(n * count, memory);
-    problem.parameters = Buffer<double>(scene.keys.times().size(), memory);
-    return problem;
-}
-
-Task<void> set_knots(Pace& pace, const Scene& scene, const Chain& chain, SplineProblem& problem) {
-    co_await each(pace, scene.keys.times().size(), Cost::some_ns, [&](uint32_t i) {
-        problem.parameters[i] = scene.keys.times()[i];
-        if (i < problem.knots.size()) problem.knots[i] = chain.knots[i];
+// Numbers of a run, `size` a node, from those of all nodes or back.
+Task<void> copy_part(Pace& pace, const RunPart& part, uint32_t all, uint32_t size, double* run, double* whole,
+                     bool back) {
+    co_await each(pace, part.chain.nodes, Cost::tens_of_ns, [=, first = part.first](uint32_t i) {
+        double* const in_run = run + size_t{size} * i;
+        double* const in_whole = whole + size_t{size} * ((first + i) % all);
+        if (back)
+            std::copy_n(in_run, size, in_whole);
+        else
+            std::copy_n(in_whole, size, in_run);
     });
 }
 
-// The classical spline through values at knots, or with E1 the polyline, at the nodes of a chain.
-Task<double> sample_spline(Pace& pace, const Scene& scene, const CubicData& data, const Chain& chain, double* out) {
-    const NaturalCubic spline = co_await natural_cubic(pace, data);
-    ChainWalk walk(scene, chain);
-    co_await each(pace, chain.nodes, Cost::hundreds_of_ns, [&](uint32_t i) {
+// Every node where the key before it is; what pauses keep.
+Task<void> stand(Pace& pace, const Scene& scene, Nodes& nodes) {
+    ChainWalk walk(nodes.chain);
+    co_await each(pace, nodes.chain.nodes, Cost::tens_of_ns, [&](uint32_t i) {
         walk.go_to(i);
-        spline.evaluate(walk.time, 0, out + data.dimension * i);
-    });
-    co_return spline.energy();
-}
-
-CubicEnds ends_of(const MotionInput& input) {
-    return input.desc.closed ? CubicEnds::periodic : CubicEnds::natural;
-}
-
-// Keys that no path around the obstacles can pass through are named as such.
-Task<void> check_clearance(Pace& pace, const Scene& scene) {
-    const PlacedObstacles placed(scene.input.obstacles, scene.input.origin, pace.memory());
-    const ObstacleSet& set = placed.set();
-    co_await each_by_work(pace, scene.keys.count(), Cost::hundreds_of_ns, [&](uint32_t key) {
-        const double* const at = &scene.keys.barycentres()[size_t{3} * key];
-        for (uint32_t i = 0; i < set.count(); ++i) {
-            if (set.evaluate(i, at, nullptr, nullptr) >= 0) continue;
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "keys[%u] has its barycentre in obstacle %u or nearer to it than the clearance", key, i);
-        }
-        return set.count();
+        std::copy_n(&scene.keys.barycentres()[size_t{3} * walk.segment], 3, &nodes.places[size_t{3} * i]);
+        scene.rotations.point_of(scene.keys.rotation(walk.segment), &nodes.rotations[size_t{9} * i]);
     });
 }
 
-// The path around obstacles: a chain that is finer than segments need to be told apart.
-Task<double> find_path_around(Pace& pace, const Scene& scene, const Chain& chain, Buffer<double>& path) {
-    co_await check_clearance(pace, scene);
-    const std::pmr::polymorphic_allocator<> allocator(pace.memory());
-    const auto space = std::allocate_shared<ManifoldProduct>(allocator);
-    space->manifold = std::allocate_shared<SpaceManifold>(allocator, 3, 1.0);
-    space->kind = ManifoldKind::space;
-    SplineRequest request;
-    request.out = std::allocate_shared<Spline>(allocator, space);
-    request.out->origin = scene.input.origin;
-    request.obstacles = scene.input.obstacles;
-    request.desc.obstacle_radius = scene.input.desc.obstacle_radius;
-    request.sides = Buffer<ObstacleSide>(scene.input.sides.size(), pace.memory());
-    for (size_t i = 0; i < request.sides.size(); ++i) request.sides[i] = scene.input.sides[i];
-    request.desc.node_count =
-        std::min(std::max(chain.nodes, path_intervals * scene.segments() + 1), FLG_SPLINE_MAX_NODES);
-    SplineProblem& problem = request.problem;
-    set_options(scene.input, problem);
-    request.points = Buffer<double>(3 * scene.keys.count(), pace.memory());
-    problem.parameters = Buffer<double>(scene.keys.times().size(), pace.memory());
-    co_await each(pace, scene.keys.times().size(), Cost::some_ns, [&](uint32_t i) {
-        problem.parameters[i] = scene.keys.times()[i];
-        for (size_t c = size_t{3} * i; c < size_t{3} * (i + 1) && c < request.points.size(); ++c)
-            request.points[c] = scene.keys.barycentres()[c];
-    });
-    const std::shared_ptr<Spline> around = request.out;
-    co_await make_spline(pace, std::move(request));
-    const Spline::Chain& found = around->chain;
-    const size_t nodes = found.nodes.size() / 3;
-    const CubicData data{.knots = {found.parameters.data(), nodes + (scene.input.desc.closed ? 1 : 0)},
-                         .values = {found.nodes.data(), 3 * nodes},
-                         .ends = ends_of(scene.input),
-                         .tension = min_tension(scene.input)};
-    co_await sample_spline(pace, scene, data, chain, path.data());
-    co_return found.report.energy;
+Task<Nodes> stand_at(Pace& pace, const Scene& scene, RunChain chain) {
+    const size_t count = chain.nodes;
+    Nodes nodes{std::move(chain), Buffer<double>(3 * count, pace.memory()), Buffer<double>(9 * count, pace.memory())};
+    co_await stand(pace, scene, nodes);
+    co_return nodes;
 }
 
-// Places of the barycentre, 3 a node; returns the energy of the path.
-Task<double> find_path(Pace& pace, const Scene& scene, const Chain& chain, Buffer<double>& path) {
-    const CubicData data{.knots = scene.keys.times(),
-                         .values = scene.keys.barycentres(),
-                         .ends = ends_of(scene.input),
-                         .tension = min_tension(scene.input)};
-    const double energy = co_await sample_spline(pace, scene, data, chain, path.data());
-    if (scene.input.desc.smoothing == 0) co_return scene.input.bending() > 0 ? energy : scene.input.tension() * energy;
+// What derivatives are taken of.
+struct Steps {
+    Buffer<double> moved, turned;
+};
 
-    double size = 0;
-    for (const double value : scene.keys.barycentres()) size = std::max(size, std::abs(value));
-    const SpaceManifold space(3, size > 0 ? size : 1);
-    SplineProblem problem = problem_of(scene, space, chain, pace.memory());
-    co_await set_knots(pace, scene, chain, problem);
-    co_await each(pace, path.size(), Cost::some_ns, [&](uint32_t i) {
-        problem.points[i] = path[i];
-        if (i < problem.given.size()) problem.given[i] = scene.keys.barycentres()[i];
-    });
-    SplineOptimizer optimizer(problem, pace.memory());
-    co_await SplineOptimizer::minimize(pace, optimizer);
-    co_await each(pace, path.size(), Cost::some_ns, [&](uint32_t i) { path[i] = optimizer.points()[i]; });
-    co_return optimizer.report().energy;
+Vec3 turn_between(const Mat3& from, const Mat3& to) {
+    const Eigen::AngleAxisd turn(Mat3(from.transpose() * to));
+    return turn.angle() * turn.axis();
 }
 
-// Turns at constant speed from key to key.
-Task<void> turn_evenly(Pace& pace, const Scene& scene, const Chain& chain, double* points) {
-    ChainWalk walk(scene, chain);
-    co_await each(pace, chain.nodes, Cost::hundreds_of_ns, [&](uint32_t i) {
-        walk.go_to(i);
-        const uint32_t from = walk.segment, to = scene.key_after(from);
-        const Mat3 rotation = walk.share == 0
-                                  ? scene.keys.rotation(from)
-                                  : rotation_between(scene.keys.rotation(from), scene.keys.rotation(to), walk.share);
-        scene.rotations.point_of(rotation, points + size_t{9} * i);
+Task<Steps> steps_of(Pace& pace, const Scene& scene, const Nodes& nodes) {
+    const uint32_t count = nodes.chain.nodes, steps = scene.closed() ? count : count - 1;
+    Steps made{Buffer<double>(size_t{3} * steps, pace.memory()), Buffer<double>(size_t{3} * steps, pace.memory())};
+    co_await each(pace, steps, Cost::hundreds_of_ns, [&](uint32_t i) {
+        const uint32_t next = (i + 1) % count;
+        for (size_t c = 0; c < 3; ++c)
+            made.moved[size_t{3} * i + c] = nodes.places[size_t{3} * next + c] - nodes.places[size_t{3} * i + c];
+        const Vec3 turn = turn_between(scene.rotations.rotation_of(&nodes.rotations[size_t{9} * i]),
+                                       scene.rotations.rotation_of(&nodes.rotations[size_t{9} * next]));
+        std::copy_n(turn.data(), 3, &made.turned[size_t{3} * i]);
     });
-}
-
-Task<void> set_rotations(Pace& pace, const Scene& scene, const Chain& chain, SplineProblem& problem) {
-    co_await set_knots(pace, scene, chain, problem);
-    co_await each(pace, scene.keys.count(), Cost::tens_of_ns, [&](uint32_t i) {
-        scene.rotations.point_of(scene.keys.rotation(i), problem.given.data() + size_t{9} * i);
-    });
-}
-
-// The rotations of the chain, from those of a coarse one: its spline in R^9, which is near the manifold.
-Task<void> begin_coarsely(Pace& pace, const Scene& scene, const Chain& chain, double* points) {
-    const Chain coarse = coarse_chain(scene, pace.memory());
-    SplineProblem problem = problem_of(scene, scene.rotations, coarse, pace.memory());
-    problem.tolerance = std::max(coarse_tolerance, problem.tolerance);
-    co_await set_rotations(pace, scene, coarse, problem);
-    co_await turn_evenly(pace, scene, coarse, problem.points.data());
-    SplineOptimizer optimizer(problem, pace.memory());
-    co_await SplineOptimizer::minimize(pace, optimizer);
-
-    const bool closed = scene.input.desc.closed != 0;
-    Buffer<double> times(coarse.nodes + (closed ? 1 : 0), pace.memory());
-    ChainWalk coarse_walk(scene, coarse);
-    co_await each(pace, coarse.nodes, Cost::tens_of_ns, [&](uint32_t i) {
-        coarse_walk.go_to(i);
-        times[i] = coarse_walk.time;
-    });
-    if (closed) times[coarse.nodes] = scene.keys.times().back();
-    const CubicData data{.knots = {times.data(), times.size()},
-                         .values = {optimizer.points(), size_t{9} * coarse.nodes},
-                         .dimension = 9,
-                         .ends = ends_of(scene.input),
-                         .tension = min_tension(scene.input)};
-    co_await sample_spline(pace, scene, data, chain, points);
+    co_return made;
 }
 
 // Puts barycentres and rotations together, and shows that.
-Task<void> show_state(Pace& pace, const Scene& scene, const Buffer<double>& path, const double* rotations,
-                      const SplineReport& report, double path_energy, TripleBuffer<MotionState>& states) {
-    MotionState& state = states.write();
-    state.report = report;
-    state.barycentre_energy = path_energy;
+Task<void> show_state(Pace& pace, const Scene& scene, const double* path, const double* rotations, MotionState& state) {
     Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
     co_await each(pace, scene.input.desc.position_count, Cost::hundreds_of_ns, [&](uint32_t i) {
         const Mat3 turn = scene.rotations.rotation_of(rotations + size_t{9} * i);
@@ -262,7 +148,360 @@ Task<void> show_state(Pace& pace, const Scene& scene, const Buffer<double>& path
         before = q;
         for (int c = 0; c < 4; ++c) state.quaternions[4 * i + c] = q.coeffs()[c];
     });
-    states.hand_over();
+}
+
+// Rounds of a motion that is one run and stays as it is.
+class ShowRounds final : public RoundWatch {
+public:
+    ShowRounds(const Scene& scene, const Nodes& nodes, double path_energy, TripleBuffer<MotionState>& states)
+        : scene_(scene), nodes_(nodes), path_energy_(path_energy), states_(states) {}
+
+    Task<void> show(Pace& pace, const SplineReport& report) override { return show_round(pace, *this, report); }
+
+private:
+    static Task<void> show_round(Pace& pace, ShowRounds& self, const SplineReport& report) {
+        MotionState& state = self.states_.write();
+        state.report = report;
+        state.barycentre_energy = self.path_energy_;
+        co_await show_state(pace, self.scene_, self.nodes_.places.data(), self.nodes_.rotations.data(), state);
+        self.states_.hand_over();
+    }
+
+    const Scene& scene_;
+    const Nodes& nodes_;
+    double path_energy_;
+    TripleBuffer<MotionState>& states_;
+};
+
+struct Solution {
+    SplineReport report;
+    double path_energy = 0;
+};
+
+SplineEnding worse(SplineEnding a, SplineEnding b) {
+    if (a == SplineEnding::rounds || b == SplineEnding::rounds) return SplineEnding::rounds;
+    return a == SplineEnding::rounding || b == SplineEnding::rounding ? SplineEnding::rounding : a;
+}
+
+// The splines of all runs.
+Task<Solution> solve(Pace& pace, const Scene& scene, Nodes& nodes, TripleBuffer<MotionState>* states) {
+    Solution found;
+    found.report.ending = SplineEnding::converged;
+    pace.stage("barycentre");
+    for (const MotionRun& run : scene.keys.runs()) {
+        const RunScene of_run{scene.input, scene.keys, scene.rotations, run};
+        const RunPart part = co_await part_of(pace, scene, nodes.chain, run);
+        if (part.chain.nodes == nodes.chain.nodes) {
+            found.path_energy += co_await run_path(pace, of_run, part.chain, nodes.places.data());
+            continue;
+        }
+        Buffer<double> path(size_t{3} * part.chain.nodes, pace.memory());
+        found.path_energy += co_await run_path(pace, of_run, part.chain, path.data());
+        co_await copy_part(pace, part, nodes.chain.nodes, 3, path.data(), nodes.places.data(), true);
+        // Around obstacles keys are passed to rounding: what stands is one place.
+        co_await each(pace, run.keys, Cost::some_ns, [&](uint32_t k) {
+            const size_t key = of_run.key(k);
+            std::copy_n(&scene.keys.barycentres()[3 * key], 3, &nodes.places[size_t{3} * nodes.chain.knots[key]]);
+        });
+    }
+    pace.stage("rotations");
+    if (!scene.turns()) co_return found;
+    for (const MotionRun& run : scene.keys.runs()) {
+        const RunScene of_run{scene.input, scene.keys, scene.rotations, run};
+        const RunPart part = co_await part_of(pace, scene, nodes.chain, run);
+        SplineReport report;
+        if (part.chain.nodes == nodes.chain.nodes) {
+            ShowRounds watch(scene, nodes, found.path_energy, *states);
+            report =
+                co_await run_rotations(pace, of_run, part.chain, nodes.rotations.data(), states ? &watch : nullptr);
+        } else {
+            Buffer<double> rotations(size_t{9} * part.chain.nodes, pace.memory());
+            report = co_await run_rotations(pace, of_run, part.chain, rotations.data(), nullptr);
+            co_await copy_part(pace, part, nodes.chain.nodes, 9, rotations.data(), nodes.rotations.data(), true);
+        }
+        found.report.ending = worse(report.ending, found.report.ending);
+        found.report.rounds = std::max(found.report.rounds, report.rounds);
+        found.report.residual = std::max(found.report.residual, report.residual);
+        found.report.energy += report.energy;
+    }
+    co_return found;
+}
+
+// The cubics through a run's nodes: of places, and of rotations in R^9.
+class RunCurve {
+public:
+    static Task<RunCurve> make(Pace& pace, const RunScene& scene, const RunPart& part, Nodes& nodes) {
+        RunCurve curve(part.chain, pace.memory());
+        curve.times_ = co_await node_times(pace, part.chain);
+        const uint32_t all = nodes.chain.nodes;
+        co_await copy_part(pace, part, all, 3, curve.places_.data(), nodes.places.data(), false);
+        co_await copy_part(pace, part, all, 9, curve.rotations_.data(), nodes.rotations.data(), false);
+        CubicData data{.knots = {curve.times_.data(), curve.times_.size()},
+                       .values = {curve.places_.data(), curve.places_.size()},
+                       .ends = scene.ends(),
+                       .slopes = still,
+                       .tension = scene.tension()};
+        curve.place_.emplace(co_await natural_cubic(pace, data));
+        data.values = {curve.rotations_.data(), curve.rotations_.size()};
+        data.dimension = 9;
+        curve.rotation_.emplace(co_await natural_cubic(pace, data));
+        co_return curve;
+    }
+    double begin() const { return times_[0]; }
+    double end() const { return times_[times_.size() - 1]; }
+    std::span<const double> times() const { return {times_.data(), times_.size()}; }
+    const NaturalCubic& place() const { return *place_; }
+    const NaturalCubic& rotation() const { return *rotation_; }
+
+private:
+    static constexpr double still[18] = {};
+    RunCurve(const RunChain& chain, Memory* memory)
+        : places_(size_t{3} * chain.nodes, memory), rotations_(size_t{9} * chain.nodes, memory) {}
+    Buffer<double> times_, places_, rotations_;
+    std::optional<NaturalCubic> place_, rotation_;
+};
+
+// Nodes of another chain, where the path is at these parameters.
+Task<Nodes> resample(Pace& pace, const Scene& scene, Nodes& from, RunChain chain, const Buffer<double>& parameters) {
+    Nodes to = co_await stand_at(pace, scene, std::move(chain));
+    const double period = from.chain.times[from.chain.times.size() - 1] - from.chain.times[0];
+    for (const MotionRun& run : scene.keys.runs()) {
+        const RunScene of_run{scene.input, scene.keys, scene.rotations, run};
+        const RunPart part = co_await part_of(pace, scene, from.chain, run);
+        const RunPart target = co_await part_of(pace, scene, to.chain, run);
+        const RunCurve curve = co_await RunCurve::make(pace, of_run, part, from);
+        uint32_t knot = 0;
+        co_await each(pace, target.chain.nodes, Cost::microseconds, [&](uint32_t i) {
+            const uint32_t node = (target.first + i) % to.chain.nodes;
+            if (knot < target.chain.knots.size() && target.chain.knots[knot] == i) {
+                ++knot;  // a key; with smoothing the path is elsewhere
+                if (scene.input.desc.smoothing == 0) return;
+            }
+            const bool again = target.first + i >= to.chain.nodes;
+            const double parameter = std::clamp(parameters[node] + (again ? period : 0), curve.begin(), curve.end());
+            curve.place().evaluate(parameter, 0, &to.places[size_t{3} * node]);
+            double* const rotation = &to.rotations[size_t{9} * node];
+            curve.rotation().evaluate(parameter, 0, rotation);
+            scene.rotations.project(rotation, nullptr);
+        });
+    }
+    co_return to;
+}
+
+// Constant speed from pause to pause: of the barycentre, or the root mean square of the body's points.
+Task<TimeLaw> even_law(Pace& pace, const Scene& scene, Nodes& nodes) {
+    const Buffer<double> times = co_await node_times(pace, nodes.chain);
+    const uint32_t all = nodes.chain.nodes;
+    const auto steps = static_cast<uint32_t>(times.size()) - 1;
+    const bool body = scene.input.desc.pacing == FLG_MOTION_PACING_BODY;
+    TimeLaw law(times.size(), pace.memory());
+    Buffer<double> lengths(steps, pace.memory());  // below 0: of a pause
+    co_await each(pace, steps, Cost::some_ns, [&](uint32_t i) { lengths[i] = -1; });
+    co_await each(pace, law.rates.size(), Cost::some_ns, [&](uint32_t i) { law.rates[i] = 0; });
+    double whole = 0, moving = 0;
+    for (const MotionRun& run : scene.keys.runs()) {
+        const RunScene of_run{scene.input, scene.keys, scene.rotations, run};
+        const RunPart part = co_await part_of(pace, scene, nodes.chain, run);
+        const RunCurve curve = co_await RunCurve::make(pace, of_run, part, nodes);
+        const auto speed_at = [&](double time) {
+            double velocity[9], square = 0;
+            curve.place().evaluate(time, 1, velocity);
+            for (size_t c = 0; c < 3; ++c) square += velocity[c] * velocity[c];
+            if (body) {
+                curve.rotation().evaluate(time, 1, velocity);
+                for (const double v : velocity) square += v * v / scene.input.body.mass;
+            }
+            return std::sqrt(square);
+        };
+        const auto own = static_cast<uint32_t>(curve.times().size()) - 1;
+        co_await each(pace, own, Cost::microseconds, [&](uint32_t i) {
+            const uint32_t step = (part.first + i) % all;
+            const double a = curve.times()[i], b = curve.times()[i + 1], middle = 0.5 * (a + b);
+            // A polyline has one speed from node to node.
+            const bool bends = scene.input.bending() > 0;
+            const double inner = speed_at(middle), first = bends ? speed_at(a) : inner,
+                         last = bends ? speed_at(b) : inner;
+            lengths[step] = (b - a) / 6 * (first + 4 * inner + last);
+            law.rates[2 * size_t{step} + 1] = first;
+            law.rates[2 * size_t{step} + 2] = last;
+            whole += lengths[step];
+        });
+        moving += curve.end() - curve.begin();
+    }
+    const double speed = scene.input.desc.speed > 0 ? scene.input.desc.speed : whole / moving;
+    co_await each(pace, steps, Cost::some_ns, [&](uint32_t i) {
+        if (lengths[i] < 0) law.rates[2 * size_t{i} + 1] = law.rates[2 * size_t{i} + 2] = speed;
+    });
+    law.times[0] = times[0];
+    co_await each(pace, times.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        law.parameters[i] = times[i];
+        for (size_t side = 2 * size_t{i}; side < 2 * size_t{i} + 2; ++side) law.rates[side] = speed / law.rates[side];
+        if (i == steps) return;
+        const double step = times[i + 1] - times[i];
+        law.times[i + 1] = law.times[i] + (lengths[i] < 0 ? step : lengths[i] / speed);
+    });
+    co_return law;
+}
+
+// One law after another: each one's parameters are the next one's times.
+struct Laws {
+    std::optional<TimeLaw> even, eased, limited;
+    std::optional<RunChain> grid;  // of the limits
+    bool any() const { return even || eased || limited; }
+};
+
+class LawsWalk {
+public:
+    explicit LawsWalk(const Laws& laws) {
+        for (const auto* law : {&laws.limited, &laws.eased, &laws.even}) {
+            if (*law) walks_[count_++].emplace(**law);
+        }
+    }
+    double parameter_at(double time) {
+        for (size_t i = 0; i < count_; ++i) time = walks_[i]->parameter_at(time);
+        return time;
+    }
+
+private:
+    std::array<std::optional<LawWalk>, 3> walks_;
+    size_t count_ = 0;
+};
+
+// Of all nodes, and the end of a closed motion.
+Task<Buffer<double>> parameters_of(Pace& pace, const Laws& laws, const RunChain& chain) {
+    Buffer<double> parameters = co_await node_times(pace, chain);
+    LawsWalk walk(laws);
+    co_await each(pace, parameters.size(), Cost::hundreds_of_ns,
+                  [&](uint32_t i) { parameters[i] = walk.parameter_at(parameters[i]); });
+    co_return parameters;
+}
+
+// Times of keys, where a law has them among its entries.
+Task<Buffer<double>> key_times(Pace& pace, const TimeLaw& law, const RunChain& chain) {
+    Buffer<double> times(chain.times.size(), pace.memory());
+    co_await each(pace, times.size(), Cost::some_ns, [&](uint32_t i) {
+        times[i] = law.times[i < chain.knots.size() ? chain.knots[i] : chain.nodes];
+        if (i > 0 && !(times[i] - times[i - 1] > min_segment * (law.times[chain.nodes - 1] - law.times[0]))) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "keys[%zu] has its barycentre where the one before it has: at constant speed of the path no "
+                          "time is left to turn; FLG_MOTION_PACING_BODY counts turns too",
+                          i % chain.knots.size());
+        }
+    });
+    co_return times;
+}
+
+// As given, and where E1 comes to a pause or leaves one; none if nothing is eased.
+Task<Buffer<double>> eases_of(Pace& pace, const Scene& scene) {
+    const MotionKeys& keys = scene.keys;
+    const auto& given = scene.input.eases;
+    const size_t count = keys.count(), times = keys.times().size();
+    const bool stops = scene.input.bending() == 0 && keys.segments() > 0;
+    bool any = false;
+    Buffer<double> eases(2 * times, pace.memory());
+    co_await each(pace, times, Cost::some_ns, [&](uint32_t i) {
+        for (size_t side = 0; side < 2; ++side) {
+            const size_t key = i % count;
+            double& ease = eases[2 * size_t{i} + side];
+            ease = given.empty() ? 0 : given[2 * key + side];
+            // The segments on this side and on the other; beyond the ends of open motions there are none.
+            const size_t segments = keys.segments(), own = (key + side + segments - 1) % segments;
+            const size_t other = (key + 1 - side + segments - 1) % segments;
+            const bool has_own = scene.closed() || (side == 0 ? key > 0 : key < segments);
+            const bool has_other = scene.closed() || (side == 0 ? key < segments : key > 0);
+            if (has_own && keys.rests(own))
+                ease = 0;
+            else if (stops && has_other && keys.rests(other))
+                ease = 1;
+            any = any || ease > 0;
+        }
+    });
+    if (!any) eases = Buffer<double>();
+    co_return eases;
+}
+
+Task<void> set_rotations(Pace& pace, const Scene& scene, Nodes& nodes, const Buffer<double>& parameters,
+                         const Buffer<double>* times, double* greatest_bank) {
+    const Look& how = scene.input.look;
+    const auto keys = scene.keys.times();
+    const uint32_t count = nodes.chain.nodes;
+    Buffer<double> rotations(size_t{9} * count, pace.memory());
+    const LookNodes of{.parameters = {parameters.data(), count},
+                       .places = {nodes.places.data(), nodes.places.size()},
+                       .begin = keys.front(),
+                       .end = keys.back(),
+                       .closed = scene.closed()};
+    co_await look(pace, how, of, rotations.data());
+    if (times && how.bank > 0)
+        *greatest_bank = co_await bank(pace, how, {times->data(), times->size()}, of, rotations.data());
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+        const Mat3 turn = Eigen::Map<const Mat3>(&rotations[size_t{9} * i]) * scene.input.body.axes;
+        scene.rotations.point_of(turn, &nodes.rotations[size_t{9} * i]);
+    });
+}
+
+// The laws of a motion, one after another. Returns the times of keys after them.
+Task<Buffer<double>> find_laws(Pace& pace, const Scene& scene, Nodes& nodes, Laws& laws) {
+    const auto given = scene.keys.times();
+    Buffer<double> times(given.size(), pace.memory());
+    co_await each(pace, given.size(), Cost::some_ns, [&](uint32_t i) { times[i] = given[i]; });
+    if (scene.input.desc.pacing != FLG_MOTION_PACING_KEYS && !scene.keys.runs().empty()) {
+        laws.even.emplace(co_await even_law(pace, scene, nodes));
+        times = co_await key_times(pace, *laws.even, nodes.chain);
+    }
+    const Buffer<double> eases = co_await eases_of(pace, scene);
+    if (!eases.empty()) {
+        laws.eased.emplace(co_await eased_law(pace, {times.data(), times.size()}, {eases.data(), eases.size()}));
+    }
+    if (!scene.input.limits().any()) co_return times;
+    const uint32_t least = law_intervals * scene.keys.segments() + 1;
+    const uint32_t count = std::min(std::max(nodes.chain.nodes, least), FLG_MOTION_MAX_POSITIONS);
+    RunChain grid = co_await share_nodes(pace, count, scene.keys.count(), {times.data(), times.size()});
+    const Buffer<double> grid_times = co_await node_times(pace, grid);
+    const Buffer<double> parameters = co_await parameters_of(pace, laws, grid);
+    Nodes sampled = co_await resample(pace, scene, nodes, std::move(grid), parameters);
+    if (!scene.turns()) co_await set_rotations(pace, scene, sampled, parameters, nullptr, nullptr);
+    const Steps steps = co_await steps_of(pace, scene, sampled);
+    const MotionSteps motion{.times = {grid_times.data(), grid_times.size()},
+                             .moved = {steps.moved.data(), steps.moved.size()},
+                             .turned = {steps.turned.data(), steps.turned.size()},
+                             .closed = scene.closed(),
+                             .kinks = {sampled.chain.knots.data(), sampled.chain.knots.size()}};
+    laws.limited.emplace(co_await limited_law(pace, motion, scene.input.limits()));
+    times = co_await key_times(pace, *laws.limited, sampled.chain);
+    co_return times;
+}
+
+// Times of positions, and which of them keys are.
+Task<void> show_chain(Pace& pace, const RunChain& chain, const Buffer<double>& times, Motion& out) {
+    co_await each(pace, times.size(), Cost::some_ns, [&](uint32_t i) {
+        out.times[i] = times[i];
+        if (i < chain.knots.size()) out.key_positions[i] = chain.knots[i];
+    });
+}
+
+// What the motion does at most.
+Task<void> measure(Pace& pace, const Scene& scene, const Nodes& nodes, const Buffer<double>& times,
+                   MotionState& state) {
+    const Steps steps = co_await steps_of(pace, scene, nodes);
+    const MotionSteps motion{.times = {times.data(), times.size()},
+                             .moved = {steps.moved.data(), steps.moved.size()},
+                             .turned = {steps.turned.data(), steps.turned.size()},
+                             .closed = scene.closed(),
+                             .kinks = {nodes.chain.knots.data(), nodes.chain.knots.size()}};
+    state.length = state.speed = state.acceleration = state.turn = 0;
+    const auto count = static_cast<uint32_t>(times.size()) - 1;
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+        const double length = Eigen::Map<const Vec3>(&steps.moved[size_t{3} * i]).norm();
+        state.length += length;
+        state.speed = std::max(state.speed, length / (times[i + 1] - times[i]));
+        state.turn = std::max(state.turn,
+                              Eigen::Map<const Vec3>(&steps.turned[size_t{3} * i]).norm() / (times[i + 1] - times[i]));
+    });
+    co_await each(pace, nodes.chain.nodes, Cost::hundreds_of_ns, [&](uint32_t i) {
+        for (const NodeSide side : {NodeSide::before, NodeSide::after})
+            state.acceleration = std::max(state.acceleration, motion_at(motion, i, side).acceleration.norm());
+    });
 }
 
 }  // namespace
@@ -270,7 +509,7 @@ Task<void> show_state(Pace& pace, const Scene& scene, const Buffer<double>& path
 Motion::Motion(MotionInput given, Memory* memory)
     : input(std::move(given)),
       times(input.desc.position_count + (input.desc.closed ? 1 : 0), memory),
-      key_positions(input.times.size(), memory) {
+      key_positions(input.desc.key_count, memory) {
     for (MotionState& state : states.all()) {
         state.poses = Buffer<double>(MotionKeys::pose_size * input.desc.position_count, memory);
         state.quaternions = Buffer<double>(size_t{4} * input.desc.position_count, memory);
@@ -291,7 +530,7 @@ void Motion::show() noexcept {
     view_.struct_size = sizeof view_;
     write_origin(input.origin, view_.origin);
     view_.position_count = input.desc.position_count;
-    view_.key_count = static_cast<uint32_t>(input.times.size());
+    view_.key_count = input.desc.key_count;
     view_.closed = input.desc.closed ? 1 : 0;
     view_.times = times.data();
     view_.poses = state.poses.data();
@@ -314,54 +553,61 @@ void Motion::show() noexcept {
     view_.rotation_energy = report.energy;
     view_.energy = view_.barycentre_energy + view_.rotation_energy;
     view_.residual = report.residual;
+    view_.length = state.length;
+    view_.greatest_speed = state.speed;
+    view_.greatest_acceleration = state.acceleration;
+    view_.greatest_turn = state.turn;
+    view_.greatest_bank = state.bank;
 }
 
 Task<void> make_motion(Pace& pace, std::shared_ptr<Motion> out) {
     const MotionInput& input = out->input;
     pace.stage("keys");
-    const MotionKeyInput given{input.times, input.poses, input.desc.closed != 0, input.desc.end_time};
+    const MotionKeyInput given{.times = input.times,
+                               .poses = input.poses,
+                               .closed = input.desc.closed != 0,
+                               .end_time = input.desc.end_time,
+                               .timing = static_cast<KeyTiming>(input.desc.timing),
+                               .speed = input.desc.speed > 0 ? input.desc.speed : 1,
+                               .eases = input.eases,
+                               .turns = input.look.kind == LookKind::keys,
+                               .pauses = input.desc.smoothing == 0};
     const MotionKeys keys = co_await check_keys(pace, given, input.body);
     out->greatest_stretch = keys.greatest_stretch();
     const RotationManifold rotations(input.body.f);
     const Scene scene{input, keys, rotations};
-    const Chain chain = fine_chain(scene, pace.memory());
-    ChainWalk walk(scene, chain);
-    co_await each(pace, chain.nodes, Cost::tens_of_ns, [&](uint32_t i) {
-        walk.go_to(i);
-        out->times[i] = walk.time;
-    });
-    if (input.desc.closed) out->times[chain.nodes] = keys.times().back();
-    co_await each(pace, keys.count(), Cost::some_ns, [&](uint32_t i) { out->key_positions[i] = chain.knots[i]; });
+    Nodes nodes = co_await stand_at(pace, scene,
+                                    co_await share_nodes(pace, input.desc.position_count, keys.count(), keys.times()));
+    Buffer<double> times = co_await node_times(pace, nodes.chain);
+    co_await show_chain(pace, nodes.chain, times, *out);
 
-    pace.stage("barycentre");
-    Buffer<double> path(size_t{3} * chain.nodes, pace.memory());
-    double path_energy = 0;
-    if (input.obstacles) {
-        path_energy = co_await find_path_around(pace, scene, chain, path);
-    } else {
-        path_energy = co_await find_path(pace, scene, chain, path);
-    }
+    const bool moved = input.desc.pacing != FLG_MOTION_PACING_KEYS || !input.eases.empty() || input.limits().any() ||
+                       input.look.kind != LookKind::keys;
+    const bool partial = pace.job().partial_results && !moved;
+    const Solution found = co_await solve(pace, scene, nodes, partial ? &out->states : nullptr);
 
-    pace.stage("rotations");
-    SplineProblem problem = problem_of(scene, rotations, chain, pace.memory());
-    co_await set_rotations(pace, scene, chain, problem);
-    const bool coarse_first = input.desc.smoothing == 0 && chain.nodes > 2 * coarse_intervals * scene.segments();
-    if (coarse_first) {
-        co_await begin_coarsely(pace, scene, chain, problem.points.data());
-    } else {
-        co_await turn_evenly(pace, scene, chain, problem.points.data());
+    pace.stage("times");
+    Laws laws;
+    const Buffer<double> of_keys = co_await find_laws(pace, scene, nodes, laws);
+    MotionState& state = out->states.write();
+    state.bank = 0;
+    Buffer<double> parameters;
+    if (laws.any()) {
+        RunChain chain = co_await share_nodes(pace, nodes.chain.nodes, keys.count(), {of_keys.data(), of_keys.size()});
+        times = co_await node_times(pace, chain);
+        parameters = co_await parameters_of(pace, laws, chain);
+        nodes = co_await resample(pace, scene, nodes, std::move(chain), parameters);
+        co_await show_chain(pace, nodes.chain, times, *out);
     }
-    SplineOptimizer optimizer(problem, pace.memory());
-    const bool partial = pace.job().partial_results;
-    for (;;) {
-        const bool goes_on = co_await SplineOptimizer::next_round(pace, optimizer);
-        const SplineReport& report = optimizer.report();
-        if (report.ending == SplineEnding::failed)
-            throw Failure(FLG_ERROR_INTERNAL, "position %u has no nearest rotation", report.failed_node);
-        if (partial || !goes_on)
-            co_await show_state(pace, scene, path, optimizer.points(), report, path_energy, out->states);
-        if (!goes_on) break;
+    if (!scene.turns()) {
+        pace.stage("look");
+        co_await set_rotations(pace, scene, nodes, laws.any() ? parameters : times, &times, &state.bank);
     }
+    state.report = found.report;
+    state.barycentre_energy = found.path_energy;
+    co_await measure(pace, scene, nodes, times, state);
+    co_await show_state(pace, scene, nodes.places.data(), nodes.rotations.data(), state);
+    out->states.hand_over();
 }
 
 }  // namespace flg

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Rigid motions of least energy through keyframes, or near them (Hofer, Pottmann 2004, sec. 4.2).
 //
-// In the metric (9) a motion's energy is that of the barycentre's path, times the mass, and that of the rotation: two
-// splines that do not know of each other. The first is a classical one, in closed form (natural_cubic.h). The second is
-// found by the optimizer on the manifold of rotations (rotation_manifold.h): from rotations at constant speed, first
-// with 6 intervals a segment; the cubic through these is so near that the fine chain takes one round or two.
+// Pauses cut a motion into runs; each run is a spline of its own (run_spline.h). What comes after moves no place: time
+// laws (time_law.h) say when the path is passed. In turn: constant speed, eases at keys, limits. A law's motion is
+// sampled from the cubics through the spline's nodes, whose error falls with the fourth power of their distance. Last,
+// bodies that look get their rotations (look_at.h).
 //
-// Among obstacles (sec. 5, Fig. 16) the barycentre's path is a spline around them instead (obstacle_spline.cpp). With a
-// clearance of the body's radius the whole body stays out of them, however it turns.
+// With a clearance of the body's radius the whole body stays out of obstacles, however it turns.
 //
 // Invariants: keys are passed through to rounding, unless smoothing; the barycentre's path does not depend on the
-// rotations.
+// rotations; without laws the spline's nodes are the motion, to the bit.
 #pragma once
 
 #include <memory>
@@ -20,26 +19,32 @@
 #include "filigree/filigree_motion.h"
 #include "runtime/pace.h"
 #include "runtime/product.h"
+#include "splines/motion/look_at.h"
 #include "splines/motion/motion_keys.h"
+#include "splines/motion/time_law.h"
 #include "splines/spline.h"
 
 namespace flg {
 
 struct MotionInput {
-    explicit MotionInput(Memory* memory) : times(memory), poses(memory), sides(memory) {}
+    explicit MotionInput(Memory* memory) : times(memory), poses(memory), eases(memory), sides(memory), look(memory) {}
 
     FlgMotionDesc desc{};  // checked, its defaults filled in; its handles are resolved below, its arrays copied
     Origin origin{};       // of the poses' positions
     BodyInertia body;
-    std::pmr::vector<double> times, poses;  // of keys, see motion_keys.h
+    std::pmr::vector<double> times, poses, eases;  // of keys, see motion_keys.h
     // What the barycentre keeps out of, or null; see SplineRequest.
     std::shared_ptr<const Obstacles> obstacles;
     std::pmr::vector<ObstacleSide> sides;
+    Look look;
 
     // The energy's, see SplineProblem; tension: per second squared.
     double bending() const { return desc.energy == FLG_SPLINE_ENERGY_E1 ? 0 : 1; }
     double tension() const {
         return desc.energy == FLG_SPLINE_ENERGY_ET ? desc.tension : desc.energy == FLG_SPLINE_ENERGY_E1 ? 1 : 0;
+    }
+    MotionLimits limits() const {
+        return {desc.max_speed, desc.max_acceleration, desc.max_turn, desc.max_turn_acceleration};
     }
 };
 
@@ -48,6 +53,9 @@ struct MotionState {
     Buffer<double> poses, quaternions;  // 12 and 4 (x, y, z, w) a position
     SplineReport report;                // of the rotations
     double barycentre_energy = 0;       // without the mass
+    double length = 0;                  // of the barycentre's path, m
+    // The greatest of all positions: m/s, m/s^2, rad/s, rad.
+    double speed = 0, acceleration = 0, turn = 0, bank = 0;
 };
 
 class Motion final : public Product {

@@ -46,14 +46,15 @@ double PlacedObstacle::evaluate(const double* x, double* gradient, double* secon
     return obstacle_.evaluate(own, gradient, second);
 }
 
-PlacedObstacles::PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, Memory* memory)
+PlacedObstacles::PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, double more_clearance,
+                                 Memory* memory)
     : obstacles_(std::move(obstacles)), placed_(memory) {
-    if (obstacles_->origin == from) return;
+    if (obstacles_->origin == from && more_clearance == 0) return;
     const Vec3 shift = origin_shift(obstacles_->origin, from);
     placed_.reserve(obstacles_->solids.size());
     std::pmr::vector<const Obstacle*> pointers(memory);
     for (const auto& solid : obstacles_->solids) pointers.push_back(&placed_.emplace_back(*solid, shift));
-    set_.emplace(pointers, obstacles_->clearance, memory);
+    set_.emplace(pointers, obstacles_->clearance + more_clearance, memory);
 }
 
 Task<void> make_obstacles(Pace& pace, std::shared_ptr<Obstacles> out) {

@@ -52,14 +52,15 @@ private:
 
 class PlacedObstacles {
 public:
-    // Keeps `obstacles`, which are ready.
-    PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, Memory* memory);
+    // Keeps `obstacles`, which are ready. `more_clearance` comes to theirs; throws a Failure if that is too much.
+    PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, double more_clearance,
+                    Memory* memory);
     const ObstacleSet& set() const { return set_ ? *set_ : *obstacles_->set; }
 
 private:
     std::shared_ptr<const Obstacles> obstacles_;
     std::pmr::vector<PlacedObstacle> placed_;
-    std::optional<ObstacleSet> set_;  // of these; none if the origin is theirs
+    std::optional<ObstacleSet> set_;  // of these; none if origin and clearance are theirs
 };
 
 // The whole of flgObstaclesCreate.

@@ -60,16 +60,19 @@ NaturalCubic::NaturalCubic(const CubicData& data, Memory* memory)
     : data_(data),
       count_(data.values.size() / data.dimension),
       pieces_(data.knots.size() - 1),
-      first_row_(data.ends == CubicEnds::clamped ? 0 : 1),
-      end_row_(data.ends == CubicEnds::natural ? count_ - 1 : count_),
+      first_row_(data.ends == CubicEnds::clamped || data.ends == CubicEnds::clamped_begin ? 0 : 1),
+      end_row_(data.ends == CubicEnds::natural || data.ends == CubicEnds::clamped_begin ? count_ - 1 : count_),
       stiffness_(std::sqrt(data.tension)),
       moments_(data.values.size(), memory),
       upper_(count_, memory),
       from_first_(data.ends == CubicEnds::periodic ? count_ : 0, memory) {}
 
-NaturalCubic::Piece NaturalCubic::piece(size_t index) const {
-    const double h = data_.knots[index + 1] - data_.knots[index];
-    return {-basis(h, stiffness_, 0, 1), basis(h, stiffness_, h, 1)};
+CubicPiece cubic_piece(double h, double stiffness) {
+    return {-basis(h, stiffness, 0, 1), basis(h, stiffness, h, 1)};
+}
+
+CubicPiece NaturalCubic::piece(size_t index) const {
+    return cubic_piece(data_.knots[index + 1] - data_.knots[index], stiffness_);
 }
 
 // By how much the slope of the straight lines changes at a knot; at clamped ends, from the given slope and to it.
@@ -97,7 +100,7 @@ double NaturalCubic::bend(size_t knot, size_t component) const {
 void NaturalCubic::forward(size_t row) {
     const size_t n = data_.dimension;
     const bool has_before = row > 0, has_after = row < pieces_;
-    const Piece before = has_before ? piece(row - 1) : Piece{}, after = has_after ? piece(row) : Piece{};
+    const CubicPiece before = has_before ? piece(row - 1) : CubicPiece{}, after = has_after ? piece(row) : CubicPiece{};
     const bool couples = row > first_row_;
     const double pivot =
         (has_before ? before.own : 0) + (has_after ? after.own : 0) - (couples ? before.across * upper_[row - 1] : 0);
@@ -124,7 +127,7 @@ void NaturalCubic::backward(size_t row) {
 // Row 0 of a cycle.
 void NaturalCubic::close() {
     const size_t n = data_.dimension, last = count_ - 1;
-    const Piece after = piece(0), before = piece(pieces_ - 1);
+    const CubicPiece after = piece(0), before = piece(pieces_ - 1);
     const double pivot = before.own + after.own - after.across * from_first_[1] - before.across * from_first_[last];
     for (size_t c = 0; c < n; ++c) {
         moments_[c] = (bend(0, c) - after.across * moments_[n + c] - before.across * moments_[last * n + c]) / pivot;

@@ -15,7 +15,7 @@
 
 namespace flg {
 
-enum class CubicEnds { natural, clamped, periodic };
+enum class CubicEnds { natural, clamped, clamped_begin, clamped_end, periodic };
 
 // Arrays live as long as the spline.
 struct CubicData {
@@ -24,9 +24,17 @@ struct CubicData {
     std::span<const double> values;  // `dimension` numbers a knot; finite
     size_t dimension = 3;
     CubicEnds ends = CubicEnds::natural;
-    const double* slopes = nullptr;  // with clamped ends: the first and the last derivative, `dimension` numbers each
+    // With clamped ends: the first and the last derivative, `dimension` numbers each.
+    const double* slopes = nullptr;
     double tension = 0;  // w of E_t, 1 / unit of time squared, at least 0; infinite: a polyline, the least E_1
 };
+
+// How the slopes at the ends of a piece depend on its moments: by `own` on the moment there, by `across` on the other.
+struct CubicPiece {
+    double across, own;  // -S'(0), S'(h)
+};
+// `stiffness`: the square root of w.
+CubicPiece cubic_piece(double h, double stiffness);
 
 class NaturalCubic {
 public:
@@ -42,12 +50,9 @@ private:
     friend Task<NaturalCubic> natural_cubic(Pace& pace, CubicData data);
     NaturalCubic(const CubicData& data, Memory* memory);
 
-    struct Piece {
-        double across, own;  // -S'(0), S'(h)
-    };
     size_t next(size_t knot) const { return knot + 1 == count_ && periodic() ? 0 : knot + 1; }
     bool periodic() const { return data_.ends == CubicEnds::periodic; }
-    Piece piece(size_t index) const;
+    CubicPiece piece(size_t index) const;
     double bend(size_t knot, size_t component) const;
     void forward(size_t row);
     void backward(size_t row);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "splines/optimizer/spline_optimizer.h"
 
+#include <array>
 #include <cmath>
 
 #include "splines/manifolds/coordinates.h"
@@ -22,23 +23,27 @@ void apply(const double* matrix, const double* vector, uint32_t n, double* out) 
 
 }  // namespace
 
-Moments::Moments(uint32_t nodes, uint32_t ambient, bool closed, Memory* memory)
+Moments::Moments(uint32_t nodes, uint32_t ambient, bool closed, double tension, Memory* memory)
     : nodes_(nodes),
       ambient_(ambient),
       intervals_(closed ? nodes : nodes - 1),
       closed_(closed),
+      stiffness_(std::sqrt(tension)),
       steps_(intervals_, memory),
+      pieces_(tension > 0 ? intervals_ : 0, memory),
       inverse_(intervals_, memory),
       upper_(intervals_, memory),
       from_first_(intervals_, memory),
       from_last_(intervals_, memory),
-      inner_(size_t{intervals_} * ambient, memory) {}
+      inner_(intervals_, ambient, memory) {}
 
 // Thomas's algorithm: down the rows, then up.
 Task<void> Moments::factorize(Pace& pace, Moments& m) {
     const uint32_t inner = m.intervals_ - 1;
+    co_await each(pace, m.pieces_.size(), Cost::tens_of_ns,
+                  [&m](uint32_t i) { m.pieces_[i] = cubic_piece(m.steps_[i], m.stiffness_); });
     co_await each(pace, 1, m.intervals_, Cost::tens_of_ns, [&m, inner](uint32_t i) {
-        const double before = m.steps_[i - 1] / 6, after = m.steps_[i] / 6;
+        const double before = m.across(i - 1), after = m.across(i);
         const double pivot = m.row(i) - (i > 1 ? before * m.upper_[i - 1] : 0);
         m.inverse_[i] = 1 / pivot;
         m.upper_[i] = after / pivot;
@@ -50,6 +55,13 @@ Task<void> Moments::factorize(Pace& pace, Moments& m) {
         m.from_first_[i] -= m.upper_[i] * m.from_first_[i + 1];
         m.from_last_[i] -= m.upper_[i] * m.from_last_[i + 1];
     });
+}
+
+double Moments::row(uint32_t node) const {
+    if (pieces_.empty()) return (step_before(node) + step_after(node)) / 3;
+    const bool first = !closed_ && node == 0, last = node == intervals_;
+    const double before = first ? 0 : pieces_[node == 0 ? intervals_ - 1 : node - 1].own;
+    return before + (last ? 0 : pieces_[node].own);
 }
 
 void Moments::bend(uint32_t node, const double* points, double* out) const {
@@ -69,15 +81,16 @@ void Moments::bend(uint32_t node, const double* points, double* out) const {
 Task<void> Moments::solve(Pace& pace, Moments& m, const double* points, double* moments) {
     const uint32_t inner = m.intervals_ - 1, n = m.ambient_;
     co_await each(pace, 1, m.intervals_, Cost::tens_of_ns, [&m, n, points](uint32_t i) {
-        double* const y = &m.inner_[size_t{i} * n];
+        double* const y = m.inner_.make(i);
         m.bend(i, points, y);
-        const double* const last = y - n;
-        for (uint32_t c = 0; c < n; ++c) y[c] = (y[c] - (i > 1 ? m.steps_[i - 1] / 6 * last[c] : 0)) * m.inverse_[i];
+        const double* const last = i > 1 ? m.inner_[i - 1] : y;
+        for (uint32_t c = 0; c < n; ++c) y[c] = (y[c] - (i > 1 ? m.across(i - 1) * last[c] : 0)) * m.inverse_[i];
     });
     co_await each(pace, 1, inner, Cost::tens_of_ns, [&m, n, inner](uint32_t k) {
         const uint32_t i = inner - k;
-        double* const y = &m.inner_[size_t{i} * n];
-        for (uint32_t c = 0; c < n; ++c) y[c] -= m.upper_[i] * y[c + n];
+        double* const y = m.inner_[i];
+        const double* const next = m.inner_[i + 1];
+        for (uint32_t c = 0; c < n; ++c) y[c] -= m.upper_[i] * next[c];
     });
     m.solve_ends(points);
     co_await each(pace, m.nodes_, Cost::tens_of_ns,
@@ -87,23 +100,23 @@ Task<void> Moments::solve(Pace& pace, Moments& m, const double* points, double* 
 // The first and the last row, with what lies between put in; closed curves have one row there, as both are one node.
 void Moments::solve_ends(const double* points) {
     const uint32_t inner = intervals_ - 1, n = ambient_;
-    const double first_step = steps_[0] / 6, last_step = steps_[inner] / 6;
+    const double first_step = across(0), last_step = across(inner);
     double first[Manifold::max_ambient], last[Manifold::max_ambient];
     bend(0, points, first);
     if (!closed_) bend(nodes_ - 1, points, last);
-    double own_first = row(0), own_last = row(closed_ ? 0 : nodes_ - 1), across = -first_step;
+    double own_first = row(0), own_last = row(closed_ ? 0 : nodes_ - 1), coupled = -first_step;
     if (inner > 0) {
         double* const to_last = closed_ ? first : last;
-        for (uint32_t c = 0; c < n; ++c) first[c] -= first_step * inner_[n + c];
-        for (uint32_t c = 0; c < n; ++c) to_last[c] -= last_step * inner_[size_t{inner} * n + c];
+        for (uint32_t c = 0; c < n; ++c) first[c] -= first_step * inner_[1][c];
+        for (uint32_t c = 0; c < n; ++c) to_last[c] -= last_step * inner_[inner][c];
         own_first -= first_step * from_first_[1];
         own_last -= last_step * from_last_[inner];
-        across = first_step * from_last_[1];
+        coupled = first_step * from_last_[1];
     }
     double* const at_first = end_moments_[0];
     double* const at_last = end_moments_[1];
     if (closed_) {
-        const double own = own_first + own_last - row(0) - 2 * across;
+        const double own = own_first + own_last - row(0) - 2 * coupled;
         for (uint32_t c = 0; c < n; ++c) at_first[c] = at_last[c] = first[c] / own;
         return;
     }
@@ -111,9 +124,9 @@ void Moments::solve_ends(const double* points) {
     std::fill_n(at_last, n, 0.0);
     double sum[Manifold::max_ambient];
     for (uint32_t round = 0; round < end_rounds; ++round) {
-        for (uint32_t c = 0; c < n; ++c) sum[c] = (first[c] + across * at_last[c]) / own_first;
+        for (uint32_t c = 0; c < n; ++c) sum[c] = (first[c] + coupled * at_last[c]) / own_first;
         apply(ends_[0].normals, sum, n, at_first);
-        for (uint32_t c = 0; c < n; ++c) sum[c] = (last[c] + across * at_first[c]) / own_last;
+        for (uint32_t c = 0; c < n; ++c) sum[c] = (last[c] + coupled * at_first[c]) / own_last;
         apply(ends_[1].normals, sum, n, at_last);
     }
 }
@@ -124,7 +137,7 @@ void Moments::moment(uint32_t node, double* out) const {
         std::copy_n(end_moments_[node != 0], n, out);
         return;
     }
-    const double* const y = &inner_[size_t{node} * n];
+    const double* const y = inner_[node];
     for (uint32_t c = 0; c < n; ++c) {
         out[c] = y[c] - from_first_[node] * end_moments_[0][c] - from_last_[node] * end_moments_[1][c];
     }
@@ -218,12 +231,12 @@ SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
       k_(problem.manifold->dimension()),
       nodes_(count_nodes(problem)),
       hint_size_(problem.manifold->hint_size()),
-      moments_(nodes_, n_, problem.closed, memory),
+      moments_(nodes_, n_, problem.closed, problem.bending > 0 ? problem.tension : 0, memory),
       moment_(size_t{nodes_} * n_, memory),
-      gradient_(size_t{nodes_} * n_, memory),
-      basis_(size_t{nodes_} * n_ * k_, memory),
-      form_(size_t{nodes_} * k_ * k_, memory),
-      shift_(size_t{nodes_} * k_, memory),
+      gradient_(nodes_, n_, memory),
+      basis_(nodes_, size_t{n_} * k_, memory),
+      form_(nodes_, size_t{k_} * k_, memory),
+      shift_(nodes_, k_, memory),
       knot_of_(nodes_, memory),
       is_held_(nodes_, memory),
       lengths_(problem.knots.size(), memory),
@@ -241,6 +254,22 @@ SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
 
 Task<void> SplineOptimizer::minimize(Pace& pace, SplineOptimizer& s) {
     for (bool goes_on = true; goes_on;) goes_on = co_await next_round(pace, s);
+}
+
+Task<void> SplineOptimizer::give_back(Pace& pace, SplineOptimizer& s) {
+    std::array<RowBlocks<double>*, 10> parts{&s.gradient_, &s.basis_, &s.form_, &s.shift_, &s.moments_.inner()};
+    size_t count = 5;
+    s.system_.each_part([&](RowBlocks<double>& rows) { parts[count++] = &rows; });
+    // The last first: allocators that grow a heap shrink it from its end, and else all at once.
+    for (RowBlocks<double>* const rows : parts) {
+        const size_t blocks = rows->block_count();
+        co_await each(pace, blocks, Cost::microseconds,
+                      [rows, blocks](uint32_t k) { rows->give_back(blocks - 1 - k); });
+    }
+    for (Buffer<double>* const buffer : {&s.trial_.points, &s.moment_, &s.trial_.hints}) {
+        *buffer = Buffer<double>();
+        co_await pace;
+    }
 }
 
 Task<bool> SplineOptimizer::next_round(Pace& pace, SplineOptimizer& s) {
@@ -295,8 +324,7 @@ Task<void> SplineOptimizer::hold_jumping(Pace& pace, SplineOptimizer& s) {
         double off = 0, along = 0;
         for (uint32_t c = 0; c < s.n_; ++c) {
             double wanted = 0;
-            for (uint32_t a = 0; a < s.k_; ++a)
-                wanted += s.step_ * s.shift_[size_t{node} * s.k_ + a] * s.basis_of(node)[a * s.n_ + c];
+            for (uint32_t a = 0; a < s.k_; ++a) wanted += s.step_ * s.shift_[node][a] * s.basis_of(node)[a * s.n_ + c];
             const double error = s.at(s.trial_, node)[c] - s.at(s.now_, node)[c] - wanted;
             off += error * error;
             along += wanted * wanted;
@@ -529,7 +557,7 @@ void SplineOptimizer::add_energy(Curve& curve, uint32_t node) {
 
 void SplineOptimizer::find_gradient(uint32_t node) {
     measure_length(node);
-    double* const g = &gradient_[size_t{node} * n_];
+    double* const g = gradient_.make(node);
     const double* const x = at(now_, node);
     std::fill_n(g, n_, 0.0);
     const auto add = [&](uint32_t other, double step) {
@@ -554,8 +582,8 @@ void SplineOptimizer::find_frame(uint32_t node) {
         const uint32_t s = knot_of_[node];
         change_ = std::max(change_, std::abs(lengths_[s] / report_.length * span_ / spans_[s] - 1));
     }
-    double* const basis = &basis_[size_t{node} * k_ * n_];
-    const double* const g = &gradient_[size_t{node} * n_];
+    double* const basis = basis_.make(node);
+    const double* const g = gradient_[node];
     problem_.manifold->tangent_basis(at(now_, node), hint_of(now_, node), basis);
     if (!is_free(node)) return;
     const double width = 0.5 * ((has_previous(node) ? moments_.step_before(node) : 0) +
@@ -565,7 +593,7 @@ void SplineOptimizer::find_frame(uint32_t node) {
         tangential_ += along * along;
     }
     ++free_nodes_;
-    problem_.manifold->second_form(at(now_, node), hint_of(now_, node), basis, g, &form_[size_t{node} * k_ * k_]);
+    problem_.manifold->second_form(at(now_, node), hint_of(now_, node), basis, g, form_.make(node));
 }
 
 // Moments at the ends of an open curve have only the parts that Moments gives them.
@@ -595,7 +623,7 @@ void SplineOptimizer::assemble(uint32_t node) {
     const double stiffness = (before > 0 ? 1 / before : 0) + (after > 0 ? 1 / after : 0);
     const auto direction = [&](uint32_t of, uint32_t a, double* out) { std::copy_n(basis_of(of) + a * n_, n_, out); };
     Vector own, its;
-    for (uint32_t c = 0; c < moments; ++c) diagonal[c * b + c] = -(before + after) / 3;
+    for (uint32_t c = 0; c < moments; ++c) diagonal[c * b + c] = -moments_.row(node);
     if (bends()) {
         moments_.bend(node, now_.points.data(), own);
         restrict_moment(node, own);
@@ -605,7 +633,7 @@ void SplineOptimizer::assemble(uint32_t node) {
     const double pull = knot_of_[node] != no_knot ? pull_ : 0;
     double form[Manifold::max_dimension * Manifold::max_dimension];
     if (free) {
-        std::copy_n(&form_[size_t{node} * k_ * k_], k_ * k_, form);
+        std::copy_n(form_[node], k_ * k_, form);
         if (concave_share_ < 1) scale_negative_part(form, k_, concave_share_);
     }
     for (uint32_t a = 0; a < k_; ++a) {
@@ -614,7 +642,7 @@ void SplineOptimizer::assemble(uint32_t node) {
         if (!free) continue;
         direction(node, a, own);
         // What bending does not say is the rest of the gradient.
-        const double* const g = &gradient_[size_t{node} * n_];
+        const double* const g = gradient_[node];
         double force = inner_product(g, own, n_);
         if (bends()) {
             const double* const m = &moment_[size_t{node} * n_];
@@ -638,7 +666,7 @@ void SplineOptimizer::assemble(uint32_t node) {
         its[c] = 1;
         restrict_moment(other, its);
         restrict_moment(node, its);
-        for (uint32_t r = 0; r < n_; ++r) coupling[r * b + c] = -after / 6 * its[r];
+        for (uint32_t r = 0; r < n_; ++r) coupling[r * b + c] = -moments_.across(node) * its[r];
     }
     for (uint32_t a = 0; other_free && a < k_; ++a) {
         direction(other, a, its);
@@ -658,12 +686,12 @@ void SplineOptimizer::assemble(uint32_t node) {
 
 void SplineOptimizer::find_shift(uint32_t node) {
     const double* const solution = system_.solution(node) + (bends() ? n_ : 0);
-    double* const shift = &shift_[size_t{node} * k_];
+    double* const shift = shift_.make(node);
     double square = 0;
     for (uint32_t a = 0; a < k_; ++a) {
         shift[a] = is_free(node) ? solution[a] : 0;
         square += shift[a] * shift[a];
-        slope_ += shift[a] * inner_product(&gradient_[size_t{node} * n_], basis_of(node) + a * n_, n_);
+        slope_ += shift[a] * inner_product(gradient_[node], basis_of(node) + a * n_, n_);
     }
     largest_ = std::max(largest_, std::sqrt(square));
 }
@@ -674,7 +702,7 @@ void SplineOptimizer::move(uint32_t node) {
     std::copy_n(from, n_, to);
     std::copy_n(hint_of(now_, node), hint_size_, hint_of(trial_, node));
     for (uint32_t a = 0; a < k_ && is_free(node); ++a) {
-        const double by = step_ * shift_[size_t{node} * k_ + a];
+        const double by = step_ * shift_[node][a];
         for (uint32_t c = 0; c < n_; ++c) to[c] += by * basis_of(node)[a * n_ + c];
     }
     if (is_free(node) && !problem_.manifold->project(to, hint_of(trial_, node))) projects_ = false;

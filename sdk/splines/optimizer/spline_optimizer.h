@@ -29,6 +29,7 @@
 #include "linear/block_tridiagonal.h"
 #include "runtime/each.h"
 #include "splines/manifolds/manifold.h"
+#include "splines/optimizer/natural_cubic.h"
 
 namespace flg {
 
@@ -43,19 +44,22 @@ struct SplineEnd {
 // Departure from the paper, which takes differences of differences as second derivatives: ours is the least E2 of all
 // curves in R^n through the points, that of their cubic spline, whose second derivatives at the points (its moments M)
 // solve R M = Q^T x (Reinsch). Where nothing restricts a curve its spline then comes out to rounding, not to the square
-// of the step, and the fourth derivative is a second difference of M, which costs half the digits less.
+// of the step, and the fourth derivative is a second difference of M, which costs half the digits less. With tension it
+// is the least E_t, that of their spline in tension (natural_cubic.h): R is another one, and to M^T Q^T x come the
+// straight lines' shares of E1. On manifolds the error falls with the fourth power of the step; that of E1, a polyline,
+// with the square.
 //
 // Ends. The tangent of a curve on a surface has no part along the surface's normals. So the spline is clamped in these
 // directions (slope 0) and natural in the tangent ones: else a whole step at each end would count too little.
 // `normals`: the projection onto them; the identity where a derivative is prescribed, 0 where the surface fills R^n or
 // the end may move.
 //
-// Invariants: exact for cubic splines with breaks at given points; E2 >= 0; linear in the points but for the ends'
-// slopes.
+// Invariants: exact for splines, cubic or in tension, with breaks at given points; E2 >= 0; linear in the points but
+// for the ends' slopes.
 class Moments {
 public:
-    // `nodes` points of R^n, at least 2, in a cycle 3.
-    Moments(uint32_t nodes, uint32_t ambient, bool closed, Memory* memory);
+    // `nodes` points of R^n, at least 2, in a cycle 3. `tension`: w of E_t, 0 for cubic splines.
+    Moments(uint32_t nodes, uint32_t ambient, bool closed, double tension, Memory* memory);
 
     // Steps between nodes: one an interval. To be factorized again after they change.
     std::span<double> steps() { return {steps_.data(), steps_.size()}; }
@@ -69,6 +73,10 @@ public:
 
     // The change of slope at a node, (Q^T x)_i; the sum over nodes of its product with the moment is E2.
     void bend(uint32_t node, const double* points, double* out) const;
+    // Once factorized: what R has on its diagonal, and for an interval beside it.
+    double row(uint32_t node) const;
+    double across(uint32_t interval) const { return pieces_.empty() ? steps_[interval] / 6 : pieces_[interval].across; }
+    RowBlocks<double>& inner() { return inner_; }
     // E2's share of a node, given its moment.
     double energy(uint32_t node, const double* points, const double* moment) const;
 
@@ -80,18 +88,19 @@ public:
     uint32_t nodes() const { return nodes_; }
 
 private:
-    double row(uint32_t node) const { return (step_before(node) + step_after(node)) / 3; }
     void solve_ends(const double* points);
     void moment(uint32_t node, double* out) const;
 
     uint32_t nodes_, ambient_, intervals_;
     bool closed_;
+    double stiffness_;  // the square root of w
     Buffer<double> steps_;
+    Buffer<CubicPiece> pieces_;  // by interval; empty without tension
     // R without its first and last row, factorized: i = 1 to intervals - 1.
     Buffer<double> inverse_, upper_;
     // What a moment of 1 at the first node (`from_first_`) or at the last one takes from node i.
     Buffer<double> from_first_, from_last_;
-    Buffer<double> inner_;  // moments of node i with none at the ends
+    RowBlocks<double> inner_;  // moments of node i with none at the ends
     SplineEnd ends_[2];
     double end_moments_[2][Manifold::max_ambient] = {};
 };
@@ -149,6 +158,8 @@ public:
     const SplineReport& report() const { return report_; }
     // Those of the last round that was accepted.
     const double* points() const { return now_.points.data(); }
+    // When done: gives its memory back in slices, but for the points and their hints.
+    static Task<void> give_back(Pace& pace, SplineOptimizer& s);
     // When done: the same, and their hints, to keep.
     Buffer<double> take_points() { return std::move(now_.points); }
     Buffer<double> take_hints() { return std::move(now_.hints); }
@@ -176,7 +187,7 @@ private:
     }
     double* at(Curve& curve, uint32_t node) { return &curve.points[size_t{node} * n_]; }
     double* hint_of(Curve& curve, uint32_t node) { return curve.hints.data() + size_t{node} * hint_size_; }
-    const double* basis_of(uint32_t node) const { return &basis_[size_t{node} * k_ * n_]; }
+    const double* basis_of(uint32_t node) const { return basis_[node]; }
     bool bends() const { return problem_.bending > 0; }
     bool is_free(uint32_t node) const { return !is_held(node) && (pull_ > 0 || knot_of_[node] == no_knot); }
     // More are no exceptions.
@@ -220,11 +231,12 @@ private:
     const uint32_t n_, k_, nodes_, hint_size_;
     Moments moments_;
     Curve now_, trial_;
-    Buffer<double> moment_, gradient_;     // n a node; half the energy's
-    Buffer<double> basis_, form_, shift_;  // k x n, k x k, k a node
-    Buffer<uint32_t> knot_of_;             // by node: its knot, or no_knot
-    Buffer<uint8_t> is_held_;              // by node
-    Buffer<double> lengths_, spans_;       // one a knot, of the segment that it begins: of the chain, and of parameters
+    Buffer<double> moment_;                   // n a node
+    RowBlocks<double> gradient_;              // n a node; half the energy's
+    RowBlocks<double> basis_, form_, shift_;  // k x n, k x k, k a node
+    Buffer<uint32_t> knot_of_;                // by node: its knot, or no_knot
+    Buffer<uint8_t> is_held_;                 // by node
+    Buffer<double> lengths_, spans_;  // one a knot, of the segment that it begins: of the chain, and of parameters
     BlockTridiagonal system_;
 
     bool has_begun_ = false;

@@ -21,11 +21,13 @@ namespace Filigree
         /// points of the energies of their paths. The barycentre's path is then the classical spline. At every moment
         /// the fourth derivatives (E1: the second ones) of the points' paths, taken as forces, are in balance: they
         /// neither push nor turn the body. Between keys a body turns the shorter way round; to force the longer way,
-        /// add a key in between. The job fails with FlgResult.ErrorInvalidArgument for fewer than two keys, times that
-        /// do not rise by 1e-9 of the whole motion, numbers that are not finite, poses that reflect or that stretch by
-        /// more than 0.001 (less is removed), two consecutive keys with the same pose, and keys whose barycentre is in
-        /// an obstacle; the message names the key. Cost: some 15 us a position, closed 20; around obstacles what the
-        /// spline there costs.
+        /// add a key in between. Two consecutive keys with the same pose are a pause: the body comes to rest, stands
+        /// still and leaves from rest (not with smoothing, which passes near both). The job fails with
+        /// FlgResult.ErrorInvalidArgument for fewer than two keys, times that do not rise by 1e-9 of the whole motion,
+        /// numbers that are not finite, poses that reflect or that stretch by more than 0.001 (less is removed), found
+        /// times between keys with the same pose, eases that are not from 0 to 1, and keys whose barycentre is in an
+        /// obstacle; the message names the key. Cost: some 15 us a position, closed 20, with E1 40; re-timing and
+        /// looking 1 to 5 more; around obstacles what the spline there costs.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionCreate(

@@ -10,9 +10,11 @@ namespace Filigree
         public uint struct_size;
         /// <summary>2 to FLG_MOTION_MAX_KEYS</summary>
         public uint key_count;
-        /// <summary>partial_results: every round is visible</summary>
+        /// <summary>
+        /// partial_results: every round is visible, of motions without pauses that neither are re-timed nor look
+        /// </summary>
         public FlgJobOptions* job;
-        /// <summary>one per key, seconds, ascending</summary>
+        /// <summary>one per key, seconds, ascending; see also timing</summary>
         public double* times;
         /// <summary>
         /// 12 per key: three rows of four, the rotation and the position. Point p of the body is then at rotation p +
@@ -79,6 +81,59 @@ namespace Filigree
         public double obstacle_radius;
         /// <summary>metres: what the poses' positions are relative to. Default 0</summary>
         public fixed double origin[3];
+        /// <summary>
+        /// other than GIVEN: `times` is ignored and may be null, the motion begins at 0, and `end_time` is 0. Distances
+        /// are root mean squares over the body's points. Default GIVEN
+        /// </summary>
+        public FlgMotionTiming timing;
+        /// <summary>default FlgMotionPacing.Keys</summary>
+        public FlgMotionPacing pacing;
+        /// <summary>
+        /// m/s, at least 0. With a timing: the keys' distances, in straight lines, over the duration; 0: 1. With a
+        /// pacing: the speed that is kept; 0: the motion takes as long as before. Default 0
+        /// </summary>
+        public double speed;
+        /// <summary>
+        /// two per key, 0 to 1: by how much the motion is slower just before the key, and just after it. 1: comes to
+        /// rest, 0: as it is. Times of keys stay. Default null: 0
+        /// </summary>
+        public double* eases;
+        /// <summary>of the barycentre, m/s</summary>
+        public double max_speed;
+        /// <summary>of the barycentre, in all directions, m/s^2</summary>
+        public double max_acceleration;
+        /// <summary>rad/s</summary>
+        public double max_turn;
+        /// <summary>rad/s^2</summary>
+        public double max_turn_acceleration;
+        /// <summary>
+        /// metres, at least 0: comes to that of `obstacles`. For cameras the distance of the near plane's corners; for
+        /// bodies their radius. Default 0
+        /// </summary>
+        public double clearance;
+        /// <summary>default FlgMotionLook.Keys</summary>
+        public FlgMotionLook look;
+        /// <summary>of the target, 1 to FLG_MOTION_MAX_KEYS, with FlgMotionLook.Target</summary>
+        public uint look_count;
+        /// <summary>
+        /// 3 per point, relative to `origin`: one point, or those that the target passes through on a cubic spline;
+        /// read during the call
+        /// </summary>
+        public double* look_points;
+        /// <summary>
+        /// one per point, ascending, on the clock of the keys' times: before the first and after the last the target
+        /// stands. Re-timing moves it along. Default null: evenly over the motion, of closed ones around
+        /// </summary>
+        public double* look_times;
+        /// <summary>not 0. Where the body looks straight along it, it keeps its right side. Default 0, 1, 0</summary>
+        public fixed double look_up[3];
+        /// <summary>
+        /// 0 to 100: leans into curves, by the angle whose tangent is this times the acceleration to the side over
+        /// 9.80665 m/s^2. 1: as riders do. Default 0
+        /// </summary>
+        public double bank;
+        /// <summary>seconds, 0 to 1e6: over which that acceleration is smoothed. Default 0.25</summary>
+        public double bank_time;
     }
 
     public unsafe partial struct FlgMotionView
@@ -115,11 +170,21 @@ namespace Filigree
         public double energy;
         /// <summary>the barycentre's share: mass times its path's energy</summary>
         public double barycentre_energy;
-        /// <summary>the rest: that of the rotations</summary>
+        /// <summary>the rest: that of the rotations; 0 of a body that looks. Before re-timing</summary>
         public double rotation_energy;
         /// <summary>of the rotations, see FlgSplineView</summary>
         public double residual;
         /// <summary>as in the descriptor</summary>
         public fixed double origin[3];
+        /// <summary>of the barycentre's path, metres</summary>
+        public double length;
+        /// <summary>of the barycentre, m/s</summary>
+        public double greatest_speed;
+        /// <summary>of the barycentre, m/s^2; from second differences</summary>
+        public double greatest_acceleration;
+        /// <summary>rad/s</summary>
+        public double greatest_turn;
+        /// <summary>rad</summary>
+        public double greatest_bank;
     }
 }

@@ -598,7 +598,7 @@ namespace Filigree
         public uint keep_displacement;
         /// <summary>
         /// Maximum points in the result, at most 2^31: guards against a scale far too small for the target. A larger
-        /// result fails with FlgResult.ErrorLimit before memory is taken for it. 0: 2^31. Default 0.
+        /// result fails with FlgResult.ErrorLimit before memory is taken for it. 0: 2^31. Default 2^26.
         /// </summary>
         public uint max_points;
         /// <summary>
