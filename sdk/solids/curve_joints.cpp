@@ -171,18 +171,27 @@ private:
         }
     }
 
+    double mean_radius(const Chain& chain, uint32_t from, uint32_t to) const {
+        double sum = 0;
+        for (uint32_t i = from; i <= to; ++i) sum += radius(chain[i]);
+        return sum / (to + 1 - from);
+    }
+    // How many bones suit what is so long for its width.
+    double pieces_of(const Chain& chain, uint32_t from, uint32_t to, double long_by) const {
+        const double wide = 2 * mean_radius(chain, from, to);
+        return wide > 0 ? std::max(1.0, std::round(bones_a_doubling * std::log2(1 + long_by / wide * detail_))) : 1;
+    }
+
     // Joints within bones that are long for their width: where the limb narrows and bends, near the even places.
     void divide_long(const Chain& chain, std::pmr::vector<uint32_t>& joints, size_t first) const {
+        const double limb = length(chain, joints[first], joints.back());
+        const double wanted = pieces_of(chain, joints[first], joints.back(), limb);
         std::pmr::vector<uint32_t> all(joints.begin(), joints.begin() + static_cast<ptrdiff_t>(first) + 1,
                                        joints.get_allocator());
         for (size_t k = first; k + 1 < joints.size(); ++k) {
             const uint32_t from = joints[k], to = joints[k + 1];
-            double sum = 0;
-            for (uint32_t i = from; i <= to; ++i) sum += radius(chain[i]);
-            const double mean = sum / (to + 1 - from), whole = length(chain, from, to);
-            const double aspect = mean > 0 ? whole / (2 * mean) : 0;
-            const double wanted = std::round(bones_a_doubling * std::log2(1 + aspect * detail_));
-            const auto pieces = static_cast<uint32_t>(std::clamp(wanted, 1.0, double{most_pieces}));
+            const double share = limb > 0 ? length(chain, from, to) / limb : 1, mean = mean_radius(chain, from, to);
+            const auto pieces = static_cast<uint32_t>(std::clamp(std::round(wanted * share), 1.0, double{most_pieces}));
             const double size = static_cast<double>(to - from) / pieces, reach = std::max(1.0, window * size);
             for (uint32_t p = 1; p < pieces; ++p) {
                 const double even = from + p * size;

@@ -30,10 +30,12 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/inflation", {"filigree", "core", "runtime", "linear", "skeletons"}},
     {"sdk/bones", {"filigree", "core", "runtime", "curves", "surfaces", "skeletons", "inflation"}},
     {"sdk/rigs", {"filigree", "core", "bones"}},
+    {"sdk/solids",
+     {"filigree", "core", "runtime", "surfaces", "skeletons", "inflation", "bones", "rigs"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/api",
      {"filigree", "core", "brush", "runtime", "buffers", "curves", "stylization", "surfaces", "splines", "skeletons",
-      "inflation", "bones", "rigs", "tangles"}},
+      "inflation", "bones", "rigs", "solids", "tangles"}},
     {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
@@ -63,7 +65,7 @@ const std::map<std::string, Rooms> allowed_within = {
 };
 const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "buffers",          "linear", "curves",
                      "stylization", "surfaces", "splines", "skeletons", "inflation",        "bones",  "rigs",
-                     "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
+                     "solids",  "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();

@@ -1183,6 +1183,10 @@ struct SkinView {
     Span<const char* const> joint_names;
     /// metres: what positions are relative to. Default 0
     double origin[3]{};
+    /// one per joint: radius of the shape around it, metres; null in input: not known
+    Span<const float> joint_radii;
+    /// a x + b y + c z = d: the plane of its mirror image, whose normal points to its left; 0: none. Ignored in input
+    float mirror[4]{};
 
     /// Empty.
     SkinView() { flgSkinViewInit(&c_, detail::size_of<FlgSkinView>); }
@@ -1192,6 +1196,7 @@ struct SkinView {
         triangle_count = c.triangle_count;
         joint_count = c.joint_count;
         for (int i = 0; i < 3; ++i) origin[i] = c.origin[i];
+        for (int i = 0; i < 4; ++i) mirror[i] = c.mirror[i];
         positions = detail::span(c.positions, std::size_t{3} * vertex_count);
         normals = detail::span(c.normals, std::size_t{3} * vertex_count);
         triangles = detail::span(c.triangles, std::size_t{3} * triangle_count);
@@ -1201,6 +1206,7 @@ struct SkinView {
         joint_positions = detail::span(c.joint_positions, std::size_t{3} * joint_count);
         joint_parents = detail::span(c.joint_parents, joint_count);
         joint_names = detail::span(c.joint_names, joint_count);
+        joint_radii = detail::span(c.joint_radii, joint_count);
     }
     /// The C struct, for C functions.
     const FlgSkinView& get() const noexcept { return c_; }
@@ -2215,6 +2221,14 @@ struct SkinDesc : FlgSkinDesc {
         flgSkinDescInit(this, detail::size_of<FlgSkinDesc>);
         model = model_;
     }
+};
+
+/// FlgMeshSkinDesc with its defaults.
+struct MeshSkinDesc : FlgMeshSkinDesc {
+    /// The defaults.
+    MeshSkinDesc() { flgMeshSkinDescInit(this, detail::size_of<FlgMeshSkinDesc>); }
+    /// Of the C struct.
+    MeshSkinDesc(const FlgMeshSkinDesc& c) : FlgMeshSkinDesc(c) {}
 };
 
 /// A motion of a skin's joints.
@@ -4460,6 +4474,23 @@ public:
         FlgSkin out_skin{};
         FlgJob job_made{};
         const FlgResult result = flgSkinCreate(handle_, &desc, &out_skin, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(handle_, job_made);
+        return detail::made(result, Skin(handle_, out_skin));
+    }
+
+    /// Starts a job that gives a mesh joints and weights. The skin has the mesh's own vertices and triangles in their
+    /// order, so all that belongs to them (texture coordinates, colours, morph targets) still fits; its normals are the
+    /// mesh's, or found if it has none. The mesh should be closed: past holes what is inside is guessed, and what is
+    /// thinner than a cell counts as inside. Pieces that do not touch hang on the nearest one. The hierarchy begins in
+    /// the middle of the trunk. Limbs that stand out get bones; sheets and bulges don't. A mesh that is its own mirror
+    /// image within 3 % gets joints that are mirror images too. Joints have names as drawn ones: body_0, head_0,
+    /// arm_1.L; flgRigFind takes them with `joint_radii` and `mirror`. The lattice turns with the mesh. Fails for
+    /// meshes without triangles. FLG_ERROR_LIMIT above 65535 joints. Cost: 0.25 s, and 15 us a vertex.
+    /// Calls flgSkinCreateFromMesh.
+    Result<Skin> skin_from_mesh(const MeshSkinDesc& desc, Job* out_job = nullptr) const {
+        FlgSkin out_skin{};
+        FlgJob job_made{};
+        const FlgResult result = flgSkinCreateFromMesh(handle_, &desc, &out_skin, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(handle_, job_made);
         return detail::made(result, Skin(handle_, out_skin));
     }
