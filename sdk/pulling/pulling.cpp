@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t width = 4;            // numbers a point
 constexpr uint32_t most_turns = 6;       // of a rotation, before it is found the long way
-constexpr double still = 1e-8;           // squared radians: the last turn, which leaves its square of an error
+constexpr double still = 1e-6;           // squared radians: the last turn, which leaves its square of an error
 constexpr double farthest = 0.5;         // squared radians: no turn is farther
 constexpr double flattest = 1e-9;        // of the cubed trace: the Hessian's determinant
 constexpr double rigid = 1e-9;           // of how far handles are apart: they move as one body
@@ -24,6 +24,10 @@ using Rotation = Eigen::Quaterniond;
 
 Eigen::Map<Vec3> point(Buffer<double>& values, uint32_t i) {
     return Eigen::Map<Vec3>(values.data() + size_t{width} * i);
+}
+using Row = Eigen::Vector4d;
+Eigen::Map<Row, Eigen::Aligned32> row(Buffer<double>& values, uint32_t i) {
+    return Eigen::Map<Row, Eigen::Aligned32>(values.data() + size_t{width} * i);
 }
 Rotation rotation_at(const Buffer<double>& rotations, uint32_t i) {
     const double* q = rotations.data() + size_t{width} * i;
@@ -218,31 +222,36 @@ private:
         co_await each(pace_, system_.count(), Cost::hundreds_of_ns, [&](uint32_t i) { energy += turn_one(i); });
         out_.energy = std::max(energy, 0.0);
     }
+    // With four numbers a point, of which the last are 0: two registers.
     double turn_one(uint32_t i) {
         const uint32_t begin = system_.offsets[i], end = system_.offsets[i + 1];
-        const Vec3 own_now = point(at_, i), own_rest = point(rest_, i);
-        Matrix spread = Matrix::Zero();
-        double lengths = 0;
+        const Row own_now = row(at_, i), own_rest = row(rest_, i);
+        Eigen::Matrix<double, 4, 3> spread = Eigen::Matrix<double, 4, 3>::Zero();
+        Row lengths = Row::Zero();
         for (uint32_t e = begin; e < end; ++e) {
             const uint32_t j = system_.neighbours[e];
-            const Vec3 now = own_now - point(at_, j), before = own_rest - point(rest_, j);
-            const auto weight = static_cast<double>(system_.weights[e]);
-            spread.noalias() += (weight * now) * before.transpose();
-            lengths += weight * (now.squaredNorm() + before.squaredNorm());
+            const Row now = own_now - row(at_, j), before = own_rest - row(rest_, j);
+            const Row weighed = static_cast<double>(system_.weights[e]) * now;
+            for (int k = 0; k < 3; ++k) spread.col(k) += before[k] * weighed;
+            lengths += weighed.cwiseProduct(now) +
+                       static_cast<double>(system_.weights[e]) * before.cwiseProduct(before);
         }
-        const Rotation found = turn_to(spread, rotation_at(out_.rotations, i));
+        const Matrix moved = spread.topRows<3>();
+        const Rotation found = turn_to(moved, rotation_at(out_.rotations, i));
         double* const q = out_.rotations.data() + size_t{width} * i;
         q[0] = found.x(), q[1] = found.y(), q[2] = found.z(), q[3] = found.w();
-        const Matrix turn = found.toRotationMatrix();
-        Vec3 sum = Vec3::Zero();
+        Eigen::Matrix<double, 4, 3> turn;
+        turn << 0.5 * found.toRotationMatrix(), Eigen::RowVector3d::Zero();
+        Row sum = Row::Zero();
         for (uint32_t e = begin; e < end; ++e) {
             const uint32_t j = system_.neighbours[e];
-            const Vec3 half = turn * (0.5 * static_cast<double>(system_.weights[e]) * (own_rest - point(rest_, j)));
+            const Row before = static_cast<double>(system_.weights[e]) * (own_rest - row(rest_, j));
+            const Row half = before[0] * turn.col(0) + before[1] * turn.col(1) + before[2] * turn.col(2);
             sum += half;
-            point(next_, j) -= half;
+            row(next_, j) -= half;
         }
-        point(next_, i) += sum;
-        return lengths - 2 * turn.cwiseProduct(spread).sum();
+        row(next_, i) += sum;
+        return lengths.sum() - 4 * turn.cwiseProduct(spread).sum();
     }
 
     // The global step.
