@@ -175,7 +175,7 @@ private:
             }
             co_await solve_points(pace_, system_.factor, {next_.data(), next_.size()});
             for (size_t k = 0; k < some; ++k) {
-                auto made = std::make_shared<PullResponse>();
+                auto made = std::allocate_shared<PullResponse>(std::pmr::polymorphic_allocator<PullResponse>(pace_.memory()));
                 made->handle = handles_[missing[first + k]];
                 made->values = Buffer<double>(count, pace_.memory());
                 co_await each(pace_, count, Cost::some_ns,

@@ -32,10 +32,11 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/rigs", {"filigree", "core", "bones"}},
     {"sdk/solids",
      {"filigree", "core", "runtime", "surfaces", "skeletons", "inflation", "bones", "rigs"}},
+    {"sdk/pulling", {"filigree", "core", "runtime", "linear", "surfaces", "inflation"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/api",
      {"filigree", "core", "brush", "runtime", "buffers", "curves", "stylization", "surfaces", "splines", "skeletons",
-      "inflation", "bones", "rigs", "solids", "tangles"}},
+      "inflation", "bones", "rigs", "solids", "pulling", "tangles"}},
     {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
@@ -65,7 +66,7 @@ const std::map<std::string, Rooms> allowed_within = {
 };
 const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "buffers",          "linear", "curves",
                      "stylization", "surfaces", "splines", "skeletons", "inflation",        "bones",  "rigs",
-                     "solids",  "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
+                     "solids",  "pulling", "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();
