@@ -21,6 +21,12 @@ FlgPulledDesc default_pulled_desc() {
     return desc;
 }
 
+FlgPullHandle default_handle() {
+    auto handle = sized<FlgPullHandle>();
+    handle.shares[0] = 1;
+    return handle;
+}
+
 void check_handle(const FlgPullHandle& handle, uint32_t number) {
     char field[64];
     const auto check = [&](bool holds, const char* member, float value, const char* rule) {
@@ -75,6 +81,10 @@ FlgResult flgPullRelease(FlgContext context, FlgPull pull) {
     return release(context, &Context::pulls, pull, "pull");
 }
 
+FlgResult flgPullHandleInit(FlgPullHandle* handle, uint32_t struct_size) {
+    return init(handle, struct_size, default_handle(), "handle");
+}
+
 FlgResult flgPulledDescInit(FlgPulledDesc* desc, uint32_t struct_size) {
     return init(desc, struct_size, default_pulled_desc());
 }
@@ -93,8 +103,11 @@ FlgResult flgPulledCreate(FlgContext context, const FlgPulledDesc* desc, FlgPull
         Submission submission(self, read.job);
         submission.read(*pull, "desc.pull");
         for (uint32_t h = 0; h < read.handle_count; ++h) {
-            check_handle(read.handles[h], h);
-            out->handles.push_back(read.handles[h]);
+            char place[32];
+            std::snprintf(place, sizeof place, "desc.handles[%u]", h);
+            const FlgPullHandle handle = read_element(read.handles, h, default_handle(), place);
+            check_handle(handle, h);
+            out->handles.push_back(handle);
         }
         if (read.positions) {
             const size_t count = pull->rest_count();

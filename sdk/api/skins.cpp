@@ -30,8 +30,8 @@ FlgSkinDesc default_skin_desc() {
     return desc;
 }
 
-FlgMeshSkinDesc default_mesh_skin_desc() {
-    auto desc = sized<FlgMeshSkinDesc>();
+FlgSkinFromMeshDesc default_mesh_skin_desc() {
+    auto desc = sized<FlgSkinFromMeshDesc>();
     desc.cell_count = 600000;
     desc.up[1] = 1;
     return desc;
@@ -109,20 +109,20 @@ FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* ou
     });
 }
 
-FlgResult flgMeshSkinDescInit(FlgMeshSkinDesc* desc, uint32_t struct_size) {
+FlgResult flgSkinFromMeshDescInit(FlgSkinFromMeshDesc* desc, uint32_t struct_size) {
     return init(desc, struct_size, default_mesh_skin_desc());
 }
 
-FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgMeshSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job) {
+FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgSkinFromMeshDesc* desc, FlgSkin* out_skin,
+                                FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_skin, "out_skin", out_job);
-        const FlgMeshSkinDesc read = read_struct(desc, default_mesh_skin_desc(), "desc");
+        const FlgSkinFromMeshDesc read = read_struct(desc, default_mesh_skin_desc(), "desc");
         check_range(read.cell_count >= fewest_cells && read.cell_count <= most_cells, "desc.cell_count",
                     read.cell_count, "1000 to 16777216");
         check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
         const FlgMeshView mesh = read_struct(read.mesh, sized<FlgMeshView>(), "desc.mesh");
-        check_range(mesh.vertex_count <= most_vertices, "desc.mesh.vertex_count", mesh.vertex_count,
-                    "at most 1048576");
+        check_range(mesh.vertex_count <= most_vertices, "desc.mesh.vertex_count", mesh.vertex_count, "at most 1048576");
         Memory* const memory = self.memory[MemoryKind::models];
         const auto request = make_object<MeshSkinRequest>(memory);
         request->cells = read.cell_count;

@@ -44,9 +44,8 @@ Task<PullSystem> make_pull_system(Pace& pace, const Mesh& mesh) {
         }
     });
     const double scale = area > 0 ? drawn_back * even_diagonal * vertices / (3 * area) : 1;
-    co_await each(pace, vertices, Cost::some_ns, [&](uint32_t v) {
-        masses[v] = std::max(masses[v] * scale, 1e-3 * drawn_back * even_diagonal);
-    });
+    co_await each(pace, vertices, Cost::some_ns,
+                  [&](uint32_t v) { masses[v] = std::max(masses[v] * scale, 1e-3 * drawn_back * even_diagonal); });
     const LaplacianInput input{.triangles = {mesh.triangles.data(), triangles},
                                .cotangents = {cotangents.data(), triangles},
                                .row_count = vertices,

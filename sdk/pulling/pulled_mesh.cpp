@@ -42,9 +42,8 @@ Task<void> make_pulled(Pace& pace, std::shared_ptr<HeldPulled> pulled) {
     });
     // Vertices that a repair split stand where the first copy does.
     const GrowingBuffer<uint32_t>& sources = pull.repaired.vertices.to_input;
-    co_await each(pace, sources.size(), Cost::some_ns, [&](uint32_t v) {
-        std::copy_n(pose + size_t{3} * sources[v], 3, rest.data() + size_t{3} * v);
-    });
+    co_await each(pace, sources.size(), Cost::some_ns,
+                  [&](uint32_t v) { std::copy_n(pose + size_t{3} * sources[v], 3, rest.data() + size_t{3} * v); });
 
     std::pmr::vector<PullHandle> handles(memory);
     for (uint32_t h = 0; h < pulled->handles.size(); ++h) {

@@ -11,14 +11,14 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t width = 4;            // numbers a point
-constexpr uint32_t most_turns = 6;       // of a rotation, before it is found the long way
-constexpr double still = 1e-6;           // squared radians: the last turn, which leaves its square of an error
-constexpr double farthest = 0.5;         // squared radians: no turn is farther
-constexpr double flattest = 1e-9;        // of the cubed trace: the Hessian's determinant
-constexpr double rigid = 1e-9;           // of how far handles are apart: they move as one body
-constexpr double in_a_line = 1e-4;       // likewise: handles that leave a rotation open
-constexpr double soft_pivot = 1e-12;     // of the largest: handles that hold nearly the same share their force
+constexpr uint32_t width = 4;         // numbers a point
+constexpr uint32_t most_turns = 6;    // of a rotation, before it is found the long way
+constexpr double still = 1e-6;        // squared radians: the last turn, which leaves its square of an error
+constexpr double farthest = 0.5;      // squared radians: no turn is farther
+constexpr double flattest = 1e-9;     // of the cubed trace: the Hessian's determinant
+constexpr double rigid = 1e-9;        // of how far handles are apart: they move as one body
+constexpr double in_a_line = 1e-4;    // likewise: handles that leave a rotation open
+constexpr double soft_pivot = 1e-12;  // of the largest: handles that hold nearly the same share their force
 using Matrix = Eigen::Matrix3d;
 using Rotation = Eigen::Quaterniond;
 
@@ -56,10 +56,10 @@ Rotation turn_to(const Matrix& spread, const Rotation& from) {
         // A largest trace is where the Hessian is definite.
         if (!(xx > 0 && xx * yy > xy * xy && determinant > flattest * trace * trace * trace)) break;
         const double d = xx * zz - xz * xz, e = xy * xz - xx * yz, f = xx * yy - xy * xy;
-        const Vec3 turn = Vec3(a * torque.x() + b * torque.y() + c * torque.z(),
-                               b * torque.x() + d * torque.y() + e * torque.z(),
-                               c * torque.x() + e * torque.y() + f * torque.z()) /
-                          determinant;
+        const Vec3 turn =
+            Vec3(a * torque.x() + b * torque.y() + c * torque.z(), b * torque.x() + d * torque.y() + e * torque.z(),
+                 c * torque.x() + e * torque.y() + f * torque.z()) /
+            determinant;
         const double squared = turn.squaredNorm();
         if (squared > farthest) break;
         rotation = (Rotation(1, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()) * rotation).normalized();
@@ -89,7 +89,8 @@ public:
         out_.rotations = Buffer<double>(size_t{width} * count, pace_.memory());
         co_await each(pace_, count, Cost::tens_of_ns, [&](uint32_t v) {
             const uint32_t i = system_.place_of[v];
-            for (uint32_t k = 0; k < 3; ++k) rest_[size_t{width} * i + k] = static_cast<double>(rest[size_t{3} * v + k]);
+            for (uint32_t k = 0; k < 3; ++k)
+                rest_[size_t{width} * i + k] = static_cast<double>(rest[size_t{3} * v + k]);
             rest_[size_t{width} * i + 3] = 0;
         });
         const bool goes_on = previous && !handles_.empty();
@@ -105,7 +106,8 @@ public:
                 co_await place();
             }
         }
-        co_await each(pace_, size_t{width} * count, Cost::some_ns, [&](uint32_t i) { out_.moved[i] = at_[i] - rest_[i]; });
+        co_await each(pace_, size_t{width} * count, Cost::some_ns,
+                      [&](uint32_t i) { out_.moved[i] = at_[i] - rest_[i]; });
     }
 
 private:
@@ -175,7 +177,8 @@ private:
             }
             co_await solve_points(pace_, system_.factor, {next_.data(), next_.size()});
             for (size_t k = 0; k < some; ++k) {
-                auto made = std::allocate_shared<PullResponse>(std::pmr::polymorphic_allocator<PullResponse>(pace_.memory()));
+                auto made =
+                    std::allocate_shared<PullResponse>(std::pmr::polymorphic_allocator<PullResponse>(pace_.memory()));
                 made->handle = handles_[missing[first + k]];
                 made->values = Buffer<double>(count, pace_.memory());
                 co_await each(pace_, count, Cost::some_ns,
@@ -233,8 +236,8 @@ private:
             const Row now = own_now - row(at_, j), before = own_rest - row(rest_, j);
             const Row weighed = static_cast<double>(system_.weights[e]) * now;
             for (int k = 0; k < 3; ++k) spread.col(k) += before[k] * weighed;
-            lengths += weighed.cwiseProduct(now) +
-                       static_cast<double>(system_.weights[e]) * before.cwiseProduct(before);
+            lengths +=
+                weighed.cwiseProduct(now) + static_cast<double>(system_.weights[e]) * before.cwiseProduct(before);
         }
         const Matrix moved = spread.topRows<3>();
         const Rotation found = turn_to(moved, rotation_at(out_.rotations, i));

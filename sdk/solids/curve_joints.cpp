@@ -12,13 +12,13 @@ namespace flg {
 namespace {
 
 constexpr uint32_t nothing = UINT32_MAX;
-constexpr double leaves_at = 0.85;       // of the radius: how far from where it branches off a limb leaves the trunk
-constexpr double is_root = 0.5;          // of the radius there: how near to the root a fork is it
-constexpr double is_thinner = 0.85;      // of the radius there: what leaves the trunk, and does not go on with it
-constexpr double shape_weight = 0.25;    // of how the radius deviates, against the way (as FlgModelDesc has it)
+constexpr double leaves_at = 0.85;         // of the radius: how far from where it branches off a limb leaves the trunk
+constexpr double is_root = 0.5;            // of the radius there: how near to the root a fork is it
+constexpr double is_thinner = 0.85;        // of the radius there: what leaves the trunk, and does not go on with it
+constexpr double shape_weight = 0.25;      // of how the radius deviates, against the way (as FlgModelDesc has it)
 constexpr double bones_a_doubling = 0.75;  // of a bone's length by its width (as in bones/part_joints.cpp)
-constexpr double window = 0.3;           // of a piece: so far a joint may be from the even place
-constexpr double evenness = 0.2;         // of the radius: what an elbow is deeper by than the even place
+constexpr double window = 0.3;             // of a piece: so far a joint may be from the even place
+constexpr double evenness = 0.2;           // of the radius: what an elbow is deeper by than the even place
 constexpr uint32_t most_pieces = 8;
 
 // From one end or fork of the curves to the next.

@@ -16,10 +16,10 @@ namespace flg {
 namespace {
 
 constexpr uint32_t nowhere = UINT32_MAX;
-constexpr float centred = 3;          // power of the depth that steps cost less by
-constexpr double root_is_near = 1.5;  // of the depth, by the diagonal: how much the root is near the middle
-constexpr double filled = 1.4;        // of the radius, around a branch
-constexpr double filled_more = 1.5;   // cells
+constexpr float centred = 3;           // power of the depth that steps cost less by
+constexpr double root_is_near = 1.5;   // of the depth, by the diagonal: how much the root is near the middle
+constexpr double filled = 1.4;         // of the radius, around a branch
+constexpr double filled_more = 1.5;    // cells
 constexpr double stands_out = 2.6;     // of its own radius: so far a branch leaves what it begins in
 constexpr double in_the_middle = 0.4;  // of the radius: so near to the plane a branch runs along it
 constexpr double sees_around = 4;      // of the radius: how far a branch looks to know a sheet
@@ -65,8 +65,10 @@ public:
             seen_[i] = 0;
             node_of_[i] = nowhere;
         });
-        co_await spread(root, ways_, [](uint32_t) { return 1.0f; }, true);
-        co_await spread(root, costs_, [&](uint32_t to) { return std::pow(depths_[to] + 0.5f, -centred); }, false);
+        co_await spread(
+            root, ways_, [](uint32_t) { return 1.0f; }, true);
+        co_await spread(
+            root, costs_, [&](uint32_t to) { return std::pow(depths_[to] + 0.5f, -centred); }, false);
         out_.nodes.push_back({place(root), depths_[root] * grid_.cell, no_curve_node, grid_.frame.is_mirrored});
         node_of_[root] = 0;
         if (grid_.frame.is_mirrored) out_.nodes[0].at = on_plane(out_.nodes[0].at);
@@ -221,9 +223,7 @@ private:
         co_await smooth(first);
     }
 
-    bool is_limb(double out_by, double radius) const {
-        return out_by >= std::max(shortest_, stands_out * radius);
-    }
+    bool is_limb(double out_by, double radius) const { return out_by >= std::max(shortest_, stands_out * radius); }
 
     // Whether a branch lies in a sheet: what is around it, beyond what it begins in, is more than a limb that is as
     // thick has. Three places are asked, and the second widest counts.
@@ -276,8 +276,8 @@ private:
     size_t where_it_leaves_the_middle(const CurveNode& from, std::span<const CurveNode> way, double wide) const {
         size_t leaves = way.size();
         if (!grid_.frame.is_mirrored || !from.is_middle) return leaves;
-        while (leaves > 0 && beside(way[leaves - 1].at) <=
-                                 std::max({in_the_middle * way[leaves - 1].radius, grid_.cell, wide}))
+        while (leaves > 0 &&
+               beside(way[leaves - 1].at) <= std::max({in_the_middle * way[leaves - 1].radius, grid_.cell, wide}))
             --leaves;
         return leaves;
     }

@@ -111,8 +111,8 @@ NamedLimbs name_limbs(BoneTree& tree, const Vec3& up, Vec3 left, bool is_found, 
         BoneJoint& joint = tree.joints[j];
         const FlgRigJoint& role = roles[j];
         if (role.limb == FLG_LIMB_OTHER) {
-            const bool goes_on = joint.parent != no_joint && roles[joint.parent].limb == FLG_LIMB_OTHER &&
-                                 roles[joint.parent].next == j;
+            const bool goes_on =
+                joint.parent != no_joint && roles[joint.parent].limb == FLG_LIMB_OTHER && roles[joint.parent].next == j;
             // What is on the other side has the same number.
             uint32_t twin = nothing;
             for (uint32_t k = 0; k < j && !goes_on && role.side != 0; ++k) {
@@ -127,7 +127,8 @@ NamedLimbs name_limbs(BoneTree& tree, const Vec3& up, Vec3 left, bool is_found, 
         const char* const side = role.side > 0 ? ".L" : role.side < 0 ? ".R" : "";
         std::pmr::string whole(part, memory);
         whole += side;
-        auto number = static_cast<uint32_t>(std::find(part_names.begin(), part_names.end(), whole) - part_names.begin());
+        auto number =
+            static_cast<uint32_t>(std::find(part_names.begin(), part_names.end(), whole) - part_names.begin());
         if (number == part_names.size()) {
             part_names.push_back(whole);
             count.push_back(0);

@@ -112,7 +112,8 @@ Task<void> find_bones(Pace& pace, const MeshSkinRequest& request, const Mesh& me
         co_await curve_skeleton(pace, grid, depths, static_cast<double>(request.thresholds.prune) * share);
     skin.tree = co_await curve_joints(pace, curves, grid.frame, request.thresholds, size);
     if (skin.tree.joints.size() > most_joints)
-        throw Failure(FLG_ERROR_LIMIT, "a skin has at most %u joints, this one would have %zu: lower desc.thresholds.detail",
+        throw Failure(FLG_ERROR_LIMIT,
+                      "a skin has at most %u joints, this one would have %zu: lower desc.thresholds.detail",
                       most_joints, skin.tree.joints.size());
     const bool is_found = request.left.norm() == 0;
     Vec3 left = Vec3::Zero();

@@ -16,11 +16,11 @@ namespace flg {
 
 namespace {
 
-constexpr double coarse_cells = 64;    // along the diagonal, to look for a mirror plane with
-constexpr double most_unlike = 0.03;   // of the area: has no mirror image within two coarse cells
-constexpr double sample_spacing = 0.5;  // cells, between samples of a triangle
+constexpr double coarse_cells = 64;                 // along the diagonal, to look for a mirror plane with
+constexpr double most_unlike = 0.03;                // of the area: has no mirror image within two coarse cells
+constexpr double sample_spacing = 0.5;              // cells, between samples of a triangle
 constexpr uint32_t longest_side = 256, margin = 3;  // cells
-constexpr size_t least_piece = 1000;    // of the largest: smaller pieces have no bones
+constexpr size_t least_piece = 1000;                // of the largest: smaller pieces have no bones
 constexpr uint8_t is_inside = 1, is_touched = 2, is_thin = 4;
 constexpr uint32_t nowhere = UINT32_MAX;
 
@@ -215,7 +215,8 @@ private:
     void cross(uint32_t column, uint32_t row) {
         const double x = column + 0.5, y = row + 0.5;
         const bool first = is_left(corners_[0], corners_[1], x, y);
-        if (is_left(corners_[1], corners_[2], x, y) != first || is_left(corners_[2], corners_[0], x, y) != first) return;
+        if (is_left(corners_[1], corners_[2], x, y) != first || is_left(corners_[2], corners_[0], x, y) != first)
+            return;
         const double off = normal_[b_] * (x - corners_[0][b_]) + normal_[c_] * (y - corners_[0][c_]);
         const double at = corners_[0][axis_] - off / normal_[axis_];
         const auto cell = static_cast<uint32_t>(std::clamp(std::ceil(at - 0.5), 0.0, size_[axis_] - 1.0));
@@ -255,8 +256,8 @@ Task<void> count_along(Pace& pace, const Mesh& mesh, SolidGrid& grid, const Mesh
         int32_t below = 0;
         for (uint32_t i = 0; i < length; ++i) {
             below += sums[first + i * stride];
-            votes[first + i * stride] = static_cast<int16_t>(
-                std::clamp(votes[first + i * stride] + 2 * below - total, -30000, 30000));
+            votes[first + i * stride] =
+                static_cast<int16_t>(std::clamp(votes[first + i * stride] + 2 * below - total, -30000, 30000));
         }
         return 2 * length;
     });
@@ -447,9 +448,7 @@ Task<void> join_solid_pieces(Pace& pace, SolidGrid& grid) {
     struct Entry {
         float way;
         uint32_t cell;
-        bool operator<(const Entry& other) const {
-            return way != other.way ? way > other.way : cell > other.cell;
-        }
+        bool operator<(const Entry& other) const { return way != other.way ? way > other.way : cell > other.cell; }
     };
     std::priority_queue<Entry, std::pmr::deque<Entry>> queue(std::less<Entry>(), std::pmr::deque<Entry>(pace.memory()));
     Buffer<float> ways(count, pace.memory());

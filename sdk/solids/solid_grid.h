@@ -36,9 +36,7 @@ struct SolidGrid {
         return {number % size[0], number / size[0] % size[1], number / (size[0] * size[1])};
     }
     // From the corner, in cells.
-    Vec3 local(const Vec3& at) const {
-        return frame.axes.transpose() * (at - frame.middle) / cell + half();
-    }
+    Vec3 local(const Vec3& at) const { return frame.axes.transpose() * (at - frame.middle) / cell + half(); }
     Vec3 middle_of(uint32_t number) const {
         const auto [x, y, z] = place(number);
         return frame.middle + cell * (frame.axes * (Vec3(x + 0.5, y + 0.5, z + 0.5) - half()));

@@ -21,7 +21,7 @@ struct SolidSteps {
                 }
     }
 
-    std::array<int32_t, 26> cells{};    // to be added to a cell's number
+    std::array<int32_t, 26> cells{};  // to be added to a cell's number
     std::array<float, 26> lengths{};  // in cells
 };
 

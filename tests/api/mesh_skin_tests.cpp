@@ -15,7 +15,7 @@ struct MeshHost : Host {
     using Host::Host;
 
     FlgSkin start_skin(const FlgMeshView& mesh, uint32_t cells = 60000) const {
-        FlgMeshSkinDesc desc = flgMeshSkinDefaults();
+        FlgSkinFromMeshDesc desc = flgSkinFromMeshDefaults();
         desc.mesh = &mesh;
         desc.cell_count = cells;
         FlgSkin skin{};
@@ -39,9 +39,8 @@ struct MeshHost : Host {
 };
 
 FlgPullHandle handle_at(const Triangles& mesh, uint32_t vertex, const Vec3& by) {
-    FlgPullHandle handle = {};
+    FlgPullHandle handle = flgPullHandleDefaults();
     for (uint32_t& v : handle.vertices) v = vertex;
-    handle.shares[0] = 1;
     store_vec3(mesh.at(vertex) + by, handle.position);
     return handle;
 }
@@ -88,9 +87,9 @@ TEST(MeshSkins, Refusals) {
     Triangles mesh = person();
     FlgColumn column;
     FlgMeshView view = view_of(mesh, column);
-    const auto expect = [&](const char* what, const std::function<void(FlgMeshSkinDesc&)>& spoil,
+    const auto expect = [&](const char* what, const std::function<void(FlgSkinFromMeshDesc&)>& spoil,
                             FlgResult result = FLG_ERROR_INVALID_ARGUMENT) {
-        FlgMeshSkinDesc desc = flgMeshSkinDefaults();
+        FlgSkinFromMeshDesc desc = flgSkinFromMeshDefaults();
         desc.mesh = &view;
         spoil(desc);
         FlgSkin skin{};
@@ -98,17 +97,18 @@ TEST(MeshSkins, Refusals) {
         EXPECT_NE(std::string(flgErrorGetMessage()).find(what), std::string::npos) << flgErrorGetMessage();
         EXPECT_EQ(skin.id, 0u);
     };
-    expect("desc.mesh", [](FlgMeshSkinDesc& desc) { desc.mesh = nullptr; });
-    expect("desc.cell_count", [](FlgMeshSkinDesc& desc) { desc.cell_count = 999; });
-    expect("desc.up", [](FlgMeshSkinDesc& desc) { desc.up[1] = 0; });
-    expect("desc.left", [](FlgMeshSkinDesc& desc) { desc.left[0] = NAN; });
-    expect("desc.weld_distance", [](FlgMeshSkinDesc& desc) { desc.weld_distance = INFINITY; });
+    expect("desc.mesh", [](FlgSkinFromMeshDesc& desc) { desc.mesh = nullptr; });
+    expect("desc.cell_count", [](FlgSkinFromMeshDesc& desc) { desc.cell_count = 999; });
+    expect("desc.up", [](FlgSkinFromMeshDesc& desc) { desc.up[1] = 0; });
+    expect("desc.left", [](FlgSkinFromMeshDesc& desc) { desc.left[0] = NAN; });
+    expect("desc.weld_distance", [](FlgSkinFromMeshDesc& desc) { desc.weld_distance = INFINITY; });
     const float before = mesh.positions[7];
     mesh.positions[7] = NAN;
-    expect("vertex 2", [](FlgMeshSkinDesc&) {});
+    expect("vertex 2", [](FlgSkinFromMeshDesc&) {});
     mesh.positions[7] = before;
     view.vertex_count = (1u << 20) + 1;
-    expect("limit", [](FlgMeshSkinDesc&) {}, FLG_ERROR_LIMIT);
+    expect(
+        "limit", [](FlgSkinFromMeshDesc&) {}, FLG_ERROR_LIMIT);
 }
 
 TEST(MeshSkins, AFailedJobSaysWhy) {

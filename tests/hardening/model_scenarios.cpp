@@ -168,7 +168,7 @@ void make_outlines(Calls& calls) {
 void make_mesh_skins(Calls& calls) {
     MeshArrays mesh = sphere(4);
     const FlgMeshView input = mesh.view();
-    FlgMeshSkinDesc desc = FLG_INIT(calls, flgMeshSkinDescInit);
+    FlgSkinFromMeshDesc desc = FLG_INIT(calls, flgSkinFromMeshDescInit);
     desc.mesh = &input;
     desc.cell_count = 1000;
     FlgSkin skin{};
@@ -188,10 +188,10 @@ void pull_meshes(Calls& calls) {
     desc.mesh = &input;
     FlgPull pull{};
     FLG_CALL(calls, flgPullCreate, calls.context, &desc, calls.out(pull), calls.job());
-    FlgPullHandle handles[2] = {};
+    FlgPullHandle handles[2];
     for (uint32_t h = 0; h < 2; ++h) {
+        handles[h] = FLG_INIT(calls, flgPullHandleInit);
         handles[h].vertices[0] = handles[h].vertices[1] = handles[h].vertices[2] = 5 * h;
-        handles[h].shares[0] = 1;
         handles[h].position[2] = static_cast<float>(h);
     }
     FlgPulledDesc frame = FLG_INIT(calls, flgPulledDescInit);

@@ -32,8 +32,8 @@ struct Pulled {
     void pull_once(const std::vector<PullHandle>& handles, uint32_t rounds, bool haltingly = false) {
         auto next = std::make_unique<PulledState>(test_memory());
         run_now(
-            test_memory(),
-            [&](Pace& pace) { return pull(pace, system, rest, handles, state.get(), rounds, *next); }, haltingly);
+            test_memory(), [&](Pace& pace) { return pull(pace, system, rest, handles, state.get(), rounds, *next); },
+            haltingly);
         state = std::move(next);
     }
     Vec3 at(uint32_t v) const {
@@ -139,7 +139,8 @@ TEST(Pulling, IsTheLiteralMethod) {
     std::vector<Vec3> rest;
     std::vector<std::array<uint32_t, 3>> triangles;
     for (uint32_t v = 0; v < p.count(); ++v) rest.push_back(p.at_rest(v));
-    for (uint32_t t = 0; t < p.repaired.mesh().triangle_count(); ++t) triangles.push_back(p.repaired.mesh().triangles[t]);
+    for (uint32_t t = 0; t < p.repaired.mesh().triangle_count(); ++t)
+        triangles.push_back(p.repaired.mesh().triangles[t]);
     reference::LiteralArap literal(rest, triangles);
     for (const PullHandle& handle : handles) literal.fix(handle.vertices[0], handle.at);
     for (int round = 0; round < 30; ++round) {
@@ -172,7 +173,8 @@ TEST(Pulling, APoseIsWhatPullingAddsTo) {
 TEST(Pulling, SameBitsWhereverItPauses) {
     Pulled whole(bar()), halting(bar());
     for (int frame = 0; frame < 3; ++frame) {
-        const std::vector<PullHandle> handles = {whole.handle({0, -0.2, 0}), whole.handle({0, 2.2, 0}, {0.2 * frame, 0, 0})};
+        const std::vector<PullHandle> handles = {whole.handle({0, -0.2, 0}),
+                                                 whole.handle({0, 2.2, 0}, {0.2 * frame, 0, 0})};
         whole.pull_once(handles, 2);
         halting.pull_once(handles, 2, true);
     }

@@ -56,8 +56,8 @@ std::string list(const Made& made) {
 TEST(MeshSkin, Person) {
     const Made made = skin_of(person());
     SCOPED_TRACE(list(made));
-    for (const char* name : {"body_0", "arm_0.L", "arm_1.L", "arm_2.L", "arm_0.R", "leg_0.L", "leg_1.L", "leg_2.L",
-                             "leg_0.R", "head_0"})
+    for (const char* name :
+         {"body_0", "arm_0.L", "arm_1.L", "arm_2.L", "arm_0.R", "leg_0.L", "leg_1.L", "leg_2.L", "leg_0.R", "head_0"})
         ASSERT_TRUE(made.has(name)) << name;
     // The root is in the trunk's middle, an elbow where the arm bends.
     EXPECT_LT((made.at("body_0") - Vec3(0, 1.17, 0)).norm(), 0.15);
@@ -93,8 +93,8 @@ TEST(MeshSkin, JointsAreInside) {
     for (const Triangles& triangles : {person(), animal()}) {
         const Made made = skin_of(triangles);
         const RepairedTriangles mesh(triangles);
-        const SolidGrid grid = run_now(
-            test_memory(), [&](Pace& pace) { return fill_solid(pace, mesh.mesh(), SolidFrame(), 1000000); });
+        const SolidGrid grid =
+            run_now(test_memory(), [&](Pace& pace) { return fill_solid(pace, mesh.mesh(), SolidFrame(), 1000000); });
         for (const BoneJoint& joint : made.skin->tree.joints) {
             const Vec3 local = grid.local(joint.at);
             EXPECT_TRUE(grid.inside[grid.number(static_cast<uint32_t>(local.x()), static_cast<uint32_t>(local.y()),
@@ -177,7 +177,8 @@ TEST(MeshSkin, WhatHasNoLimbsHasFewJoints) {
     Triangles plate;
     for (const double z : {0.0, 0.1})
         for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) plate.add(Vec3(x, y, z));
-    plate.corners = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+    plate.corners = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                     1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
     EXPECT_LE(skin_of(plate).skin->tree.joints.size(), 5u);
 }
 

@@ -104,8 +104,7 @@ TEST(SolidGrid, TurnsWithTheMesh) {
     const SolidFrame own = frame_of(RepairedTriangles(person()).mesh()),
                      turned = frame_of(RepairedTriangles(person().turned(turn)).mesh());
     EXPECT_TRUE(turned.is_mirrored);
-    for (int k = 0; k < 3; ++k)
-        EXPECT_NEAR(std::abs((turn * own.axes.col(k)).dot(turned.axes.col(k))), 1, 1e-5) << k;
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(std::abs((turn * own.axes.col(k)).dot(turned.axes.col(k))), 1, 1e-5) << k;
     EXPECT_LT((turn * own.middle - turned.middle).norm(), 1e-5);
 }
 

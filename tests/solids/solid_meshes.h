@@ -62,7 +62,9 @@ struct Triangles {
             }
         }
     }
-    void add_ball(const Vec3& at, double radius) { add_tube(at - Vec3(0, 1e-4 * radius, 0), radius, at, radius, 40, 1); }
+    void add_ball(const Vec3& at, double radius) {
+        add_tube(at - Vec3(0, 1e-4 * radius, 0), radius, at, radius, 40, 1);
+    }
 
     Triangles turned(const Eigen::Matrix3d& turn) const {
         Triangles out = *this;
@@ -96,7 +98,8 @@ inline Triangles animal() {
     t.add_tube({0, 1.5, -1.0}, 0.15, {0, 1.45, -1.3}, 0.1);
     t.add_tube({0, 1.1, 0.7}, 0.06, {0, 0.8, 1.3}, 0.04);
     for (const double side : {-1.0, 1.0})
-        for (const double along : {-0.5, 0.6}) t.add_tube({side * 0.16, 0.9, along}, 0.1, {side * 0.18, 0.08, along}, 0.07);
+        for (const double along : {-0.5, 0.6})
+            t.add_tube({side * 0.16, 0.9, along}, 0.1, {side * 0.18, 0.08, along}, 0.07);
     return t;
 }
 

@@ -16,7 +16,7 @@ constexpr uint8_t as_drawn = 0;
 
 MeshModel::MeshModel(Session& session, const std::string& file, const FlgBoneThresholds& thresholds, Report& report)
     : file_(file) {
-    FlgMeshSkinDesc desc = flgMeshSkinDefaults();
+    FlgSkinFromMeshDesc desc = flgSkinFromMeshDefaults();
     desc.mesh = &file_.view();
     desc.thresholds = &thresholds;
     FlgSkin made = {};

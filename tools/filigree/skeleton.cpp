@@ -221,10 +221,9 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
 Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("skeleton", "Turns drawn outlines into a model with bones");
-    command
-        ->add_option("CONTOUR", options->contours,
-                     "Contours, a part each in the order they were drawn: .poly.txt, .svg, SketchPolyline*.txt; "
-                     "meshes, taken by their silhouettes; or one drawing (.json)");
+    command->add_option("CONTOUR", options->contours,
+                        "Contours, a part each in the order they were drawn: .poly.txt, .svg, SketchPolyline*.txt; "
+                        "meshes, taken by their silhouettes; or one drawing (.json)");
     command
         ->add_option("--mesh", options->mesh,
                      "Instead of contours a mesh: it gets bones and weights, and keeps its vertices")

@@ -528,9 +528,6 @@ using Ray = FlgRay;
 /// The hit of a ray or a point.
 using Hit = FlgHit;
 
-/// A point of the surface, and where it is to be.
-using PullHandle = FlgPullHandle;
-
 /// An end of a line, or a point.
 using DebugVertex = FlgDebugVertex;
 
@@ -2256,12 +2253,12 @@ struct SkinDesc : FlgSkinDesc {
     }
 };
 
-/// FlgMeshSkinDesc with its defaults.
-struct MeshSkinDesc : FlgMeshSkinDesc {
+/// FlgSkinFromMeshDesc with its defaults.
+struct SkinFromMeshDesc : FlgSkinFromMeshDesc {
     /// The defaults.
-    MeshSkinDesc() { flgMeshSkinDescInit(this, detail::size_of<FlgMeshSkinDesc>); }
+    SkinFromMeshDesc() { flgSkinFromMeshDescInit(this, detail::size_of<FlgSkinFromMeshDesc>); }
     /// Of the C struct.
-    MeshSkinDesc(const FlgMeshSkinDesc& c) : FlgMeshSkinDesc(c) {}
+    SkinFromMeshDesc(const FlgSkinFromMeshDesc& c) : FlgSkinFromMeshDesc(c) {}
 };
 
 /// A motion of a skin's joints.
@@ -2916,6 +2913,14 @@ struct PullDesc : FlgPullDesc {
     PullDesc() { flgPullDescInit(this, detail::size_of<FlgPullDesc>); }
     /// Of the C struct.
     PullDesc(const FlgPullDesc& c) : FlgPullDesc(c) {}
+};
+
+/// A point of the surface, and where it is to be.
+struct PullHandle : FlgPullHandle {
+    /// The defaults.
+    PullHandle() { flgPullHandleInit(this, detail::size_of<FlgPullHandle>); }
+    /// Of the C struct.
+    PullHandle(const FlgPullHandle& c) : FlgPullHandle(c) {}
 };
 
 /// FlgPulledDesc with its defaults.
@@ -4577,7 +4582,7 @@ public:
     /// arm_1.L; flgRigFind takes them with `joint_radii` and `mirror`. The lattice turns with the mesh. Fails for
     /// meshes without triangles. FLG_ERROR_LIMIT above 65535 joints. Cost: 0.25 s, and 15 us a vertex.
     /// Calls flgSkinCreateFromMesh.
-    Result<Skin> skin_from_mesh(const MeshSkinDesc& desc, Job* out_job = nullptr) const {
+    Result<Skin> skin_from_mesh(const SkinFromMeshDesc& desc, Job* out_job = nullptr) const {
         FlgSkin out_skin{};
         FlgJob job_made{};
         const FlgResult result = flgSkinCreateFromMesh(handle_, &desc, &out_skin, out_job ? &job_made : nullptr);

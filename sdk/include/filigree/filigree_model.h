@@ -357,7 +357,7 @@ FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
  * than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost: 15 us a vertex. */
 FLG_API FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
-typedef struct FlgMeshSkinDesc {
+typedef struct FlgSkinFromMeshDesc {
     uint32_t struct_size;
     uint32_t cell_count;      /* of the lattice that the inside is looked at in: 1000 to 16777216, default 600000. Limbs
                                  of less than two cells get no bones of their own */
@@ -369,9 +369,9 @@ typedef struct FlgMeshSkinDesc {
                                  its head is if it stands on four legs, else where its feet point. Default 0 0 0 */
     uint32_t reserved;
     const FlgBoneThresholds* thresholds; /* shares of three times the mesh's diagonal; null: the defaults */
-} FlgMeshSkinDesc;
+} FlgSkinFromMeshDesc;
 
-FLG_API FlgResult flgMeshSkinDescInit(FlgMeshSkinDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSkinFromMeshDescInit(FlgSkinFromMeshDesc* desc, uint32_t struct_size);
 
 /* Starts a job that gives a mesh joints and weights. The skin has the mesh's own vertices and triangles in their order,
  * so all that belongs to them (texture coordinates, colours, morph targets) still fits; its normals are the mesh's, or
@@ -381,7 +381,7 @@ FLG_API FlgResult flgMeshSkinDescInit(FlgMeshSkinDesc* desc, uint32_t struct_siz
  * is its own mirror image within 3 % gets joints that are mirror images too. Joints have names as drawn ones: body_0,
  * head_0, arm_1.L; flgRigFind takes them with `joint_radii` and `mirror`. The lattice turns with the mesh.
  * Fails for meshes without triangles. FLG_ERROR_LIMIT above 65535 joints. Cost: 0.25 s, and 15 us a vertex. */
-FLG_API FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgMeshSkinDesc* desc, FlgSkin* out_skin,
+FLG_API FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgSkinFromMeshDesc* desc, FlgSkin* out_skin,
                                         FlgJob* out_job);
 
 /* The arrays live until the skin is released. FLG_NOT_READY until its job is published, the job's error if it
@@ -506,9 +506,9 @@ static inline FlgSkinDesc flgSkinDefaults(void) {
     return desc;
 }
 
-static inline FlgMeshSkinDesc flgMeshSkinDefaults(void) {
-    FlgMeshSkinDesc desc;
-    flgMeshSkinDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSkinFromMeshDesc flgSkinFromMeshDefaults(void) {
+    FlgSkinFromMeshDesc desc;
+    flgSkinFromMeshDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -43,12 +43,15 @@ FLG_API FlgResult flgPullRelease(FlgContext context, FlgPull pull);
 
 /* A point of the surface, and where it is to be. */
 typedef struct FlgPullHandle {
-    uint32_t vertices[3]; /* of the mesh; the three may be the same */
-    float shares[3];      /* of these: 0 to 1, with sum 1 within 0.001 */
-    float position[3];    /* metres */
+    uint32_t struct_size; /* the same of all handles of a mesh */
+    uint32_t vertices[3]; /* of the mesh; the three may be the same. Default 0 */
+    float shares[3];      /* of these: 0 to 1, with sum 1 within 0.001. Default 1 0 0 */
+    float position[3];    /* metres. Default 0 */
     float compliance;     /* how far it gives way to a unit of force, the pull on an edge of weight 1 that is a metre too
-                             long; 0: it is there exactly. Finite, 0 or above */
+                             long; 0: it is there exactly. Finite, 0 or above. Default 0 */
 } FlgPullHandle;
+
+FLG_API FlgResult flgPullHandleInit(FlgPullHandle* handle, uint32_t struct_size);
 
 typedef struct FlgPulledDesc {
     uint32_t struct_size;
@@ -98,6 +101,12 @@ static inline FlgPullDesc flgPullDefaults(void) {
     FlgPullDesc desc;
     flgPullDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
+}
+
+static inline FlgPullHandle flgPullHandleDefaults(void) {
+    FlgPullHandle handle;
+    flgPullHandleInit(&handle, (uint32_t)sizeof handle);
+    return handle;
 }
 
 static inline FlgPulledDesc flgPulledDefaults(void) {

@@ -154,7 +154,7 @@ namespace Filigree
             FlgContext context, FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshSkinDescInit(FlgMeshSkinDesc* desc, uint struct_size);
+        public static extern FlgResult flgSkinFromMeshDescInit(FlgSkinFromMeshDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that gives a mesh joints and weights. The skin has the mesh's own vertices and triangles in
@@ -169,7 +169,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinCreateFromMesh(
-            FlgContext context, FlgMeshSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
+            FlgContext context, FlgSkinFromMeshDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
         /// <summary>
         /// The arrays live until the skin is released. FlgResult.NotReady until its job is published, the job's error
@@ -292,10 +292,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgMeshSkinDesc flgMeshSkinDefaults()
+        public static FlgSkinFromMeshDesc flgSkinFromMeshDefaults()
         {
-            FlgMeshSkinDesc made;
-            flgMeshSkinDescInit(&made, (uint)sizeof(FlgMeshSkinDesc));
+            FlgSkinFromMeshDesc made;
+            flgSkinFromMeshDescInit(&made, (uint)sizeof(FlgSkinFromMeshDesc));
             return made;
         }
 

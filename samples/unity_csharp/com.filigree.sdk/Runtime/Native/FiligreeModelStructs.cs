@@ -376,7 +376,7 @@ namespace Filigree
         public float blend;
     }
 
-    public unsafe partial struct FlgMeshSkinDesc
+    public unsafe partial struct FlgSkinFromMeshDesc
     {
         public uint struct_size;
         /// <summary>

@@ -32,6 +32,9 @@ namespace Filigree
         public static extern FlgResult flgPullRelease(FlgContext context, FlgPull pull);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgPullHandleInit(FlgPullHandle* handle, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPulledDescInit(FlgPulledDesc* desc, uint struct_size);
 
         /// <summary>
@@ -62,6 +65,13 @@ namespace Filigree
         {
             FlgPullDesc made;
             flgPullDescInit(&made, (uint)sizeof(FlgPullDesc));
+            return made;
+        }
+
+        public static FlgPullHandle flgPullHandleDefaults()
+        {
+            FlgPullHandle made;
+            flgPullHandleInit(&made, (uint)sizeof(FlgPullHandle));
             return made;
         }
 

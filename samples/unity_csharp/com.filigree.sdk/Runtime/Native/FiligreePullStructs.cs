@@ -18,15 +18,17 @@ namespace Filigree
     /// <summary>A point of the surface, and where it is to be.</summary>
     public unsafe partial struct FlgPullHandle
     {
-        /// <summary>of the mesh; the three may be the same</summary>
+        /// <summary>the same of all handles of a mesh</summary>
+        public uint struct_size;
+        /// <summary>of the mesh; the three may be the same. Default 0</summary>
         public fixed uint vertices[3];
-        /// <summary>of these: 0 to 1, with sum 1 within 0.001</summary>
+        /// <summary>of these: 0 to 1, with sum 1 within 0.001. Default 1 0 0</summary>
         public fixed float shares[3];
-        /// <summary>metres</summary>
+        /// <summary>metres. Default 0</summary>
         public fixed float position[3];
         /// <summary>
         /// how far it gives way to a unit of force, the pull on an edge of weight 1 that is a metre too long; 0: it is
-        /// there exactly. Finite, 0 or above
+        /// there exactly. Finite, 0 or above. Default 0
         /// </summary>
         public float compliance;
     }
