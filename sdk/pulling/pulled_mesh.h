@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What hosts hold to pull at meshes, and the jobs that make it. Vertices of one place are one here, and the host's again
-// in what it is shown.
+// What hosts hold to pull at meshes, and the jobs that make it. Vertices of one place are one here, and the host's
+// again in what it is shown.
 #pragma once
 
 #include <vector>

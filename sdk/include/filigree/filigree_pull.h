@@ -28,7 +28,7 @@ FLG_HANDLE(FlgPulled);
 
 typedef struct FlgPullDesc {
     uint32_t struct_size;
-    float weld_distance;     /* metres: nearer vertices stay together; below 0: none do. Default 0: those at one place */
+    float weld_distance;     /* metres: nearer vertices stay together; below 0: none do. Default 0: of one place */
     const FlgJobOptions* job;
     const FlgMeshView* mesh; /* at rest, up to 1048576 vertices; copied */
 } FlgPullDesc;
@@ -47,8 +47,8 @@ typedef struct FlgPullHandle {
     uint32_t vertices[3]; /* of the mesh; the three may be the same. Default 0 */
     float shares[3];      /* of these: 0 to 1, with sum 1 within 0.001. Default 1 0 0 */
     float position[3];    /* metres. Default 0 */
-    float compliance;     /* how far it gives way to a unit of force, the pull on an edge of weight 1 that is a metre too
-                             long; 0: it is there exactly. Finite, 0 or above. Default 0 */
+    float compliance;     /* how far it gives way to a unit of force: that on an edge of weight 1 a metre too long; 0:
+                             it is there exactly. Finite, 0 or above. Default 0 */
 } FlgPullHandle;
 
 FLG_API FlgResult flgPullHandleInit(FlgPullHandle* handle, uint32_t struct_size);

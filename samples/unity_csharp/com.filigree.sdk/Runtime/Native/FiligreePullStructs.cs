@@ -8,7 +8,7 @@ namespace Filigree
     public unsafe partial struct FlgPullDesc
     {
         public uint struct_size;
-        /// <summary>metres: nearer vertices stay together; below 0: none do. Default 0: those at one place</summary>
+        /// <summary>metres: nearer vertices stay together; below 0: none do. Default 0: of one place</summary>
         public float weld_distance;
         public FlgJobOptions* job;
         /// <summary>at rest, up to 1048576 vertices; copied</summary>
@@ -27,8 +27,8 @@ namespace Filigree
         /// <summary>metres. Default 0</summary>
         public fixed float position[3];
         /// <summary>
-        /// how far it gives way to a unit of force, the pull on an edge of weight 1 that is a metre too long; 0: it is
-        /// there exactly. Finite, 0 or above. Default 0
+        /// how far it gives way to a unit of force: that on an edge of weight 1 a metre too long; 0: it is there
+        /// exactly. Finite, 0 or above. Default 0
         /// </summary>
         public float compliance;
     }
