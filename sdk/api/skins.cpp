@@ -122,7 +122,9 @@ FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgSkinFromMeshDesc* d
                     read.cell_count, "1000 to 16777216");
         check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
         const FlgMeshView mesh = read_struct(read.mesh, sized<FlgMeshView>(), "desc.mesh");
-        check_range(mesh.vertex_count <= most_vertices, "desc.mesh.vertex_count", mesh.vertex_count, "at most 1048576");
+        if (mesh.vertex_count > most_vertices)
+            throw Failure(FLG_ERROR_LIMIT, "desc.mesh.vertex_count is %u, more than the limit of %u", mesh.vertex_count,
+                          most_vertices);
         Memory* const memory = self.memory[MemoryKind::models];
         const auto request = make_object<MeshSkinRequest>(memory);
         request->cells = read.cell_count;
