@@ -51,7 +51,8 @@ public:
           node_of_(count_, pace.memory()),
           is_done_(count_, pace.memory()),
           seen_(count_, pace.memory()),
-          order_(pace.memory()),
+          order_(count_, pace.memory()),
+          look_(count_, pace.memory()),
           out_(pace.memory()) {}
 
     // Coroutines that are members take their frames from here.
@@ -75,11 +76,19 @@ public:
         co_await fill(out_.nodes[0].at, depths_[root]);
         uint32_t branches = 0;
         Slice slice(Cost::some_ns);
-        for (size_t i = order_.size(); i-- > 0 && branches < most_branches;) {
+        for (uint32_t i = settled_; i-- > 0 && branches < most_branches;) {
             if (slice.is_over()) co_await pace_;
             if (is_done_[order_[i]]) continue;
             co_await add_branch(order_[i]);
             ++branches;
+        }
+        for (Buffer<uint32_t>* large : {&next_, &node_of_, &order_, &look_}) {
+            *large = {};
+            co_await pace_;
+        }
+        for (Buffer<float>* large : {&ways_, &costs_}) {
+            *large = {};
+            co_await pace_;
         }
         co_return std::move(out_);
     }
@@ -136,7 +145,7 @@ private:
             queue.pop();
             if (slice.is_over(2)) co_await pace_;
             if (entry.way > costs[entry.cell]) continue;
-            if (is_first) order_.push_back(entry.cell);
+            if (is_first) order_[settled_++] = entry.cell;
             for (size_t k = 0; k < neighbours_.cells.size(); ++k) {
                 const uint32_t to = entry.cell + neighbours_.cells[k];
                 if (!may_enter(to)) continue;
@@ -252,20 +261,19 @@ private:
     // In cells: of what hangs together around one and is not nearer to the root than `way`.
     Task<double> volume_around(uint32_t cell, double reach, float way) {
         const Vec3 middle = grid_.local(place(cell));
-        std::pmr::deque<uint32_t> cells(pace_.memory());
         ++looks_;
         seen_[cell] = looks_;
-        cells.push_back(cell);
+        look_[0] = cell;
         Slice slice(Cost::some_ns);
-        size_t next = 0;
-        for (; next < cells.size(); ++next) {
+        uint32_t next = 0, found = 1;
+        for (; next < found; ++next) {
             for (const int32_t step : neighbours_.cells) {
-                const uint32_t to = cells[next] + step;
+                const uint32_t to = look_[next] + step;
                 if (!may_enter(to) || seen_[to] == looks_ || ways_[to] < way) continue;
                 const auto [x, y, z] = grid_.place(to);
                 if ((Vec3(x + 0.5, y + 0.5, z + 0.5) - middle).squaredNorm() > reach * reach) continue;
                 seen_[to] = looks_;
-                cells.push_back(to);
+                look_[found++] = to;
             }
             if (slice.is_over(64)) co_await pace_;
         }
@@ -310,7 +318,8 @@ private:
     Buffer<uint8_t> is_done_;
     Buffer<uint16_t> seen_;  // by the number of the last look that saw a cell
     uint16_t looks_ = 0;
-    std::pmr::deque<uint32_t> order_;  // cells, the nearest to the root first
+    Buffer<uint32_t> order_, look_;  // cells, the nearest to the root first; those of a look
+    uint32_t settled_ = 0;
     CurveSkeleton out_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "runtime/each.h"
@@ -261,6 +262,8 @@ Task<void> count_along(Pace& pace, const Mesh& mesh, SolidGrid& grid, const Mesh
         }
         return 2 * length;
     });
+    sums = {};
+    co_await pace;
 }
 
 // Cells that are not on the lattice's faces.
@@ -390,6 +393,8 @@ Task<SolidGrid> fill_solid(Pace& pace, const Mesh& mesh, SolidFrame frame, uint3
     for (uint32_t axis = 0; axis < 3; ++axis) co_await count_along(pace, mesh, grid, pieces, windings, axis, votes);
     constexpr int16_t half_of_six = 3;
     co_await each(pace, count, Cost::some_ns, [&](uint32_t i) { grid.inside[i] = votes[i] >= half_of_six; });
+    votes = {};
+    co_await pace;
     co_await keep_thin(pace, mesh, grid);
     if (frame.is_mirrored) {
         co_await each(pace, size_t{grid.size[1]} * grid.size[2], Cost::tens_of_ns, [&](uint32_t line) {
@@ -421,29 +426,40 @@ Task<Buffer<float>> solid_depths(Pace& pace, const SolidGrid& grid) {
 Task<void> join_solid_pieces(Pace& pace, SolidGrid& grid) {
     const SolidSteps steps(grid);
     const auto count = static_cast<uint32_t>(grid.count());
-    Buffer<uint32_t> piece_of(count, pace.memory());
+    Buffer<uint32_t> piece_of(count, pace.memory()), cells(count, pace.memory());  // cells: piece by piece
     co_await each(pace, count, Cost::some_ns, [&](uint32_t i) { piece_of[i] = nowhere; });
-    std::pmr::deque<std::pmr::deque<uint32_t>> pieces(pace.memory());
+    std::pmr::vector<uint32_t> begins(pace.memory());
     Slice slice(Cost::some_ns);
+    uint32_t found = 0;
     for (uint32_t i = 0; i < count; ++i) {
         if (slice.is_over()) co_await pace;
         if (!grid.inside[i] || piece_of[i] != nowhere) continue;
-        const auto number = static_cast<uint32_t>(pieces.size());
-        auto& cells = pieces.emplace_back();
+        const auto number = static_cast<uint32_t>(begins.size());
+        begins.push_back(found);
         piece_of[i] = number;
-        cells.push_back(i);
-        for (size_t next = 0; next < cells.size(); ++next) {
+        cells[found] = i;
+        uint32_t next = found++;
+        for (; next < found; ++next) {
             const uint32_t from = cells[next];
             for (const int32_t step : steps.cells) {
                 const uint32_t to = from + step;
                 if (!grid.inside[to] || piece_of[to] != nowhere) continue;
                 piece_of[to] = number;
-                cells.push_back(to);
+                cells[found++] = to;
             }
             if (slice.is_over(26)) co_await pace;
         }
     }
-    if (pieces.size() < 2) co_return;
+    if (begins.size() < 2) {
+        cells = {};
+        co_await pace;
+        co_return;
+    }
+    begins.push_back(found);
+    const auto cells_of = [&](size_t piece) {
+        return std::span<const uint32_t>(cells.data() + begins[piece], begins[piece + 1] - begins[piece]);
+    };
+    const size_t piece_count = begins.size() - 1;
     // From the largest piece outwards; what is reached is joined and goes on outwards (Prim).
     struct Entry {
         float way;
@@ -454,16 +470,16 @@ Task<void> join_solid_pieces(Pace& pace, SolidGrid& grid) {
     Buffer<float> ways(count, pace.memory());
     Buffer<uint32_t> from_cell(count, pace.memory());
     co_await each(pace, count, Cost::some_ns, [&](uint32_t i) { ways[i] = HUGE_VALF; });
-    std::pmr::vector<bool> is_joined(pieces.size(), false, pace.memory());
+    std::pmr::vector<bool> is_joined(piece_count, false, pace.memory());
     size_t left = 0, largest = 0;
-    for (size_t p = 1; p < pieces.size(); ++p)
-        if (pieces[p].size() > pieces[largest].size()) largest = p;
-    for (size_t p = 0; p < pieces.size(); ++p) {
-        if (pieces[p].size() * least_piece >= pieces[largest].size()) {
+    for (size_t p = 1; p < piece_count; ++p)
+        if (cells_of(p).size() > cells_of(largest).size()) largest = p;
+    for (size_t p = 0; p < piece_count; ++p) {
+        if (cells_of(p).size() * least_piece >= cells_of(largest).size()) {
             ++left;
             continue;
         }
-        for (const uint32_t cell : pieces[p]) {
+        for (const uint32_t cell : cells_of(p)) {
             grid.inside[cell] = 0;
             piece_of[cell] = nowhere;
             if (slice.is_over()) co_await pace;
@@ -472,7 +488,7 @@ Task<void> join_solid_pieces(Pace& pace, SolidGrid& grid) {
     for (size_t joining = largest; joining != nowhere;) {
         is_joined[joining] = true;
         --left;
-        for (const uint32_t cell : pieces[joining]) {
+        for (const uint32_t cell : cells_of(joining)) {
             ways[cell] = 0;
             from_cell[cell] = nowhere;
             queue.push({0, cell});
@@ -500,6 +516,13 @@ Task<void> join_solid_pieces(Pace& pace, SolidGrid& grid) {
             }
         }
     }
+    // Large arrays are given back one by one.
+    ways = {};
+    co_await pace;
+    from_cell = {};
+    co_await pace;
+    cells = {};
+    co_await pace;
 }
 
 }  // namespace flg

@@ -109,6 +109,8 @@ Task<Buffer<uint32_t>> nearest_bones_within(Pace& pace, const SolidGrid& grid, c
             queue.push({way, to});
         }
     }
+    ways = {};
+    co_await pace;
     const Buffer<Position> normals = co_await find_vertex_normals(pace, mesh);
     Buffer<uint32_t> nearest(mesh.vertex_count(), pace.memory());
     const auto count = static_cast<uint32_t>(bones.size());
@@ -125,6 +127,8 @@ Task<Buffer<uint32_t>> nearest_bones_within(Pace& pace, const SolidGrid& grid, c
         nearest[v] = best;
         return 32 + count;
     });
+    bone_of = {};
+    co_await pace;
     co_return nearest;
 }
 
