@@ -280,12 +280,14 @@ private:
             forces[h] /= at(h, h);
             if (slice.is_over(8 + size - h)) co_await pace_;
         }
-        for (uint32_t h = 0; h < size; ++h) {
-            const double* const response = out_.responses[h]->values.data();
-            const Vec3 force = forces[h];
-            co_await each(pace_, system_.count(), Cost::some_ns,
-                          [&, response](uint32_t i) { point(next_, i) += response[i] * force; });
-        }
+        std::pmr::vector<const double*> responses(pace_.memory());
+        for (const auto& response : out_.responses) responses.push_back(response->values.data());
+        co_await each_by_work(pace_, system_.count(), Cost::some_ns, [&](uint32_t i) {
+            Vec3 sum = Vec3::Zero();
+            for (uint32_t h = 0; h < size; ++h) sum += responses[h][i] * forces[h];
+            point(next_, i) += sum;
+            return 2 + size;
+        });
     }
 
     Pace& pace_;
