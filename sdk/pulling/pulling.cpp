@@ -36,7 +36,7 @@ Rotation rotation_at(const Buffer<double>& rotations, uint32_t i) {
 
 Matrix nearest_rotation(const Matrix& spread) {
     const Eigen::JacobiSVD<Matrix> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Matrix turn = svd.matrixU() * svd.matrixV().transpose();
+    Matrix turn = svd.matrixU() * svd.matrixV().transpose();
     if (turn.determinant() > 0) return turn;
     return turn - 2 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
 }

@@ -86,7 +86,7 @@ std::pmr::string limb_name(const FlgRigJoint& role, uint32_t other, Memory* memo
 
 }  // namespace
 
-NamedLimbs name_limbs(BoneTree& tree, const Vec3& up, Vec3 left, bool is_found, Memory* memory) {
+NamedLimbs name_limbs(BoneTree& tree, const Vec3& up, const Vec3& left, bool is_found, Memory* memory) {
     NamedLimbs out(memory);
     Roles roles(tree.joints.size(), memory);
     const bool has_roles = tree.joints.size() <= most_joints;

@@ -20,6 +20,6 @@ struct NamedLimbs {
 
 // Sets the part of each joint: 0 is the trunk. `left`: to the model's left; `is_found`: it may as well be to its right,
 // and is turned around if head or feet look backwards. Of trees with more than 128 joints all are of the trunk.
-NamedLimbs name_limbs(BoneTree& tree, const Vec3& up, Vec3 left, bool is_found, Memory* memory);
+NamedLimbs name_limbs(BoneTree& tree, const Vec3& up, const Vec3& left, bool is_found, Memory* memory);
 
 }  // namespace flg
