@@ -206,7 +206,7 @@ ResultArrays arrays_of(const HeldSkin& skin) {
     arrays.rows = static_cast<uint32_t>(skin.mesh.positions.size());
     arrays.triangle_count = static_cast<uint32_t>(skin.mesh.triangles.size());
     arrays.triangles = skin.mesh.triangles.data()->data();
-    arrays.origin = skin.model->origin;
+    arrays.origin = skin.origin;
     return arrays;
 }
 

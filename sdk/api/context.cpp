@@ -181,6 +181,8 @@ MemoryKind memory_kind(HandleKind kind) {
         case HandleKind::part:
         case HandleKind::part_mesh:
         case HandleKind::model:
+        case HandleKind::pull:
+        case HandleKind::pulled:
         case HandleKind::skin: return MemoryKind::models;
     }
     return MemoryKind::runtime;

@@ -21,6 +21,8 @@ class HeldPart;
 class HeldPartMesh;
 class HeldModel;
 class HeldSkin;
+class HeldPull;
+class HeldPulled;
 class ManifoldProduct;
 class Obstacles;
 class Spline;
@@ -56,6 +58,8 @@ struct Context {
           obstacles(HandleKind::obstacles, salt, memory[MemoryKind::runtime]),
           splines(HandleKind::spline, salt, memory[MemoryKind::runtime]),
           motions(HandleKind::motion, salt, memory[MemoryKind::runtime]),
+          pulls(HandleKind::pull, salt, memory[MemoryKind::runtime]),
+          pulled(HandleKind::pulled, salt, memory[MemoryKind::runtime]),
           runtime(desc, memory[MemoryKind::runtime]) {}
 
     // An object for a handle of the table, in the memory it is counted as; which is its last argument, if it takes it.
@@ -88,6 +92,8 @@ struct Context {
     HandleTable<Obstacles> obstacles;
     HandleTable<Spline> splines;
     HandleTable<Motion> motions;
+    HandleTable<HeldPull> pulls;
+    HandleTable<HeldPulled> pulled;
     Runtime runtime;
     bool ticking = false;  // inside flgContextTick: callbacks may not tick, wait or destroy
 };

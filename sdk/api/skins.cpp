@@ -4,13 +4,16 @@
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
+#include "api/mesh_inputs.h"
+#include "api/thresholds.h"
 #include "bones/part_body.h"
-#include "bones/skin.h"
+#include "solids/mesh_skin.h"
 
 namespace flg {
 
 namespace {
 
+constexpr uint32_t fewest_cells = 1000, most_cells = 1u << 24, most_vertices = 1u << 20;
 constexpr uint32_t fewest_vertices = 100, largest_limit = 1u << 22;
 
 FlgPartMeshDesc default_part_mesh_desc() {
@@ -25,6 +28,19 @@ FlgSkinDesc default_skin_desc() {
     desc.max_vertices = 200000;
     desc.blend = -1;
     return desc;
+}
+
+FlgSkinFromMeshDesc default_mesh_skin_desc() {
+    auto desc = sized<FlgSkinFromMeshDesc>();
+    desc.cell_count = 600000;
+    desc.up[1] = 1;
+    return desc;
+}
+
+Vec3 read_direction(const float (&direction)[3], const char* argument) {
+    for (const float value : direction)
+        check_range(is_coordinate(value), argument, value, "finite and at most 1e30 in size");
+    return load_vec3(direction);
 }
 
 }  // namespace
@@ -89,6 +105,40 @@ FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* ou
         Submission submission(self, read.job);
         submission.read(*out->model, "desc.model");
         submission.job().strand.start(make_skin(submission.pace(), out));
+        *out_skin = {submission.commit(self.skins, out, out_job)};
+    });
+}
+
+FlgResult flgSkinFromMeshDescInit(FlgSkinFromMeshDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_mesh_skin_desc());
+}
+
+FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgSkinFromMeshDesc* desc, FlgSkin* out_skin,
+                                FlgJob* out_job) {
+    return guarded([&] {
+        Context& self = clear_outputs(context, out_skin, "out_skin", out_job);
+        const FlgSkinFromMeshDesc read = read_struct(desc, default_mesh_skin_desc(), "desc");
+        check_range(read.cell_count >= fewest_cells && read.cell_count <= most_cells, "desc.cell_count",
+                    read.cell_count, "1000 to 16777216");
+        check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
+        const FlgMeshView mesh = read_struct(read.mesh, sized<FlgMeshView>(), "desc.mesh");
+        if (mesh.vertex_count > most_vertices)
+            throw Failure(FLG_ERROR_LIMIT, "desc.mesh.vertex_count is %u, more than the limit of %u", mesh.vertex_count,
+                          most_vertices);
+        Memory* const memory = self.memory[MemoryKind::models];
+        const auto request = make_object<MeshSkinRequest>(memory);
+        request->cells = read.cell_count;
+        request->thresholds = read_thresholds(read.thresholds, default_thresholds(), "desc.thresholds");
+        request->up = read_direction(read.up, "desc.up");
+        if (!(request->up.norm() > 0)) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.up has no length");
+        request->up.normalize();
+        request->left = read_direction(read.left, "desc.left");
+        if (read.weld_distance >= 0) request->repair.weld_distance = read.weld_distance;
+        Submission submission(self, read.job);
+        request->mesh = copy_described_mesh(memory, mesh);
+        const auto out = self.make(self.skins);
+        out->origin = read_origin(mesh.origin, "desc.mesh.origin");
+        submission.job().strand.start(make_mesh_skin(submission.pace(), out, request));
         *out_skin = {submission.commit(self.skins, out, out_job)};
     });
 }

@@ -137,16 +137,18 @@ void HeldSkin::show_vertex(size_t vertex) {
 }
 
 void HeldSkin::show_joint(size_t joint) {
-    if (columns_.joint_positions.empty()) columns_.joint_positions.reserve(3 * tree.joints.size());
-    for (int i = 0; i < 3; ++i) columns_.joint_positions.push_back(static_cast<float>(tree.joints[joint].at[i]));
+    const BoneJoint& shown = tree.joints[joint];
+    for (int i = 0; i < 3; ++i) columns_.joint_positions.push_back(static_cast<float>(shown.at[i]));
+    columns_.joint_radii.push_back(static_cast<float>(shown.radius));
+    columns_.joint_parents.push_back(shown.parent == no_joint ? FLG_NO_INDEX : shown.parent);
+    columns_.joint_names.push_back(names[joint].c_str());
 }
 
 void HeldSkin::show() noexcept {
-    const FlgModelView& bones = model->view();
     view_ = {.struct_size = sizeof view_,
              .vertex_count = static_cast<uint32_t>(mesh.positions.size()),
              .triangle_count = static_cast<uint32_t>(mesh.triangles.size()),
-             .joint_count = bones.joint_count,
+             .joint_count = static_cast<uint32_t>(tree.joints.size()),
              .positions = columns_.positions.data(),
              .normals = columns_.normals.data(),
              .triangles = mesh.triangles.data()->data(),
@@ -154,14 +156,25 @@ void HeldSkin::show() noexcept {
              .vertex_weights = weights.weights.data()->data(),
              .vertex_parts = mesh.parts.data(),
              .joint_positions = columns_.joint_positions.data(),
-             .joint_parents = bones.joint_parents,
-             .joint_names = bones.joint_names,
-             .origin = {}};
-    write_origin(model->origin, view_.origin);
+             .joint_parents = columns_.joint_parents.data(),
+             .joint_names = columns_.joint_names.data(),
+             .origin = {},
+             .joint_radii = columns_.joint_radii.data(),
+             .mirror = {}};
+    write_origin(origin, view_.origin);
+    store_vec3(mirror_normal, view_.mirror);
+    view_.mirror[3] = static_cast<float>(mirror_offset);
 }
 
 Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     const HeldModel& model = *skin->model;
+    skin->origin = model.origin;
+    const bool is_mirrored =
+        std::any_of(model.parts.begin(), model.parts.end(), [](const ModelPart& p) { return p.twin != no_number; });
+    if (is_mirrored) {
+        skin->mirror_normal = model.mirror_normal;
+        skin->mirror_offset = model.mirror_offset;
+    }
     std::pmr::deque<PartBody> bodies(pace.memory());
     std::pmr::vector<PlacedPart> placed(pace.memory());
     co_await inflate_parts(pace, model, bodies, placed);
@@ -184,7 +197,10 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
     for (; !depths.lifts.empty(); depths.lifts.pop_back()) co_await pace;
     co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
-    co_await each(pace, skin->tree.joints.size(), Cost::some_ns, [&](uint32_t j) { skin->show_joint(j); });
+    co_await each(pace, skin->tree.joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
+        skin->names.emplace_back(model.view().joint_names[j]);
+        skin->show_joint(j);
+    });
 }
 
 }  // namespace flg

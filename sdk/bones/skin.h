@@ -2,6 +2,9 @@
 // Skins as hosts hold them, and the job that makes them: a model's parts inflated, merged, bound to its joints.
 #pragma once
 
+#include <deque>
+#include <string>
+
 #include "bones/model.h"
 #include "inflation/bone_weights.h"
 #include "inflation/merge_parts.h"
@@ -10,13 +13,17 @@ namespace flg {
 
 class HeldSkin final : public Product {
 public:
-    explicit HeldSkin(Memory* memory) : tree(memory), columns_(memory) {}
+    explicit HeldSkin(Memory* memory) : tree(memory), names(memory), columns_(memory) {}
 
-    std::shared_ptr<const HeldModel> model;
+    std::shared_ptr<const HeldModel> model;  // null: of a mesh that nobody drew
+    Origin origin{};
+    Vec3 mirror_normal = Vec3::Zero();  // to the left; of length 0: it is not its own mirror image
+    double mirror_offset = 0;
     MergeOptions options;
     BoneTree tree;  // the model's, with joints of lifted parts where these are
     MergedMesh mesh;
     BoneWeights weights;
+    std::pmr::deque<std::pmr::string> names;  // of joints
 
     // The mesh and joints as hosts see them, one by one.
     void show_vertex(size_t vertex);
@@ -27,8 +34,16 @@ public:
 
 private:
     struct Columns {
-        explicit Columns(Memory* memory) : positions(memory), normals(memory), joint_positions(memory) {}
-        std::pmr::vector<float> positions, normals, joint_positions;
+        explicit Columns(Memory* memory)
+            : positions(memory),
+              normals(memory),
+              joint_positions(memory),
+              joint_radii(memory),
+              joint_parents(memory),
+              joint_names(memory) {}
+        std::pmr::vector<float> positions, normals, joint_positions, joint_radii;
+        std::pmr::vector<uint32_t> joint_parents;
+        std::pmr::vector<const char*> joint_names;
     };
 
     void show() noexcept override;

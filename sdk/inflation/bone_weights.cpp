@@ -71,12 +71,29 @@ public:
     };
 
     void offer(const Vec3& position, std::span<const BoneSegment> bones, uint32_t number, uint32_t column) {
+        add(look(position, bones, number, column));
+    }
+    // By the distance from the shape around the bone, which is at least `least`. Returns it.
+    double offer_shape(const Vec3& position, std::span<const BoneSegment> bones, uint32_t number, uint32_t column,
+                       double least) {
+        Near near = look(position, bones, number, column);
+        near.distance = std::max(near.distance - near.radius, least);
+        add(near);
+        return near.distance;
+    }
+    std::span<const Near> found() const { return {near_.data(), count_}; }
+
+private:
+    static Near look(const Vec3& position, std::span<const BoneSegment> bones, uint32_t number, uint32_t column) {
         const BoneSegment& bone = bones[number];
         const Vec3 along = bone.to - bone.from, from = position - bone.from;
         const double length = along.squaredNorm();
         const double share = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
-        const Near near{number, column, (from - share * along).norm(),
-                        bone.from_radius + share * (bone.to_radius - bone.from_radius)};
+        return {number, column, (from - share * along).norm(),
+                bone.from_radius + share * (bone.to_radius - bone.from_radius)};
+    }
+
+    void add(const Near& near) {
         const auto before = [](const Near& a, const Near& b) {
             return a.distance < b.distance || (a.distance == b.distance && a.column < b.column);
         };
@@ -95,9 +112,7 @@ public:
         near_[place] = near;
         for (; place > 0 && before(near_[place], near_[place - 1]); --place) std::swap(near_[place], near_[place - 1]);
     }
-    std::span<const Near> found() const { return {near_.data(), count_}; }
 
-private:
     std::array<Near, 4> near_{};
     uint32_t count_ = 0;
 };
@@ -302,6 +317,32 @@ Task<void> begin_within_parts(Pace& pace, const MergedMesh& mesh, std::span<cons
     for (; !regions.empty(); regions.pop_back()) co_await pace;
 }
 
+// Each vertex begins with the bone that is nearest, as somebody else knows it, and with those that it touches.
+Task<void> begin_at_bones(Pace& pace, const MergedMesh& mesh, NearestBones known, const BoneRig& rig,
+                          const Joints& joints, Spreading& all) {
+    const std::span<const BoneSegment> bones = rig.bones;
+    const auto joint_of = [&](uint32_t end) { return end % 2 == 0 ? bones[end / 2].joint : known.ends[end / 2]; };
+    const Groups ends_at = co_await group_by(pace, 2 * bones.size(), joint_limit, joint_of);
+    const double least_radius = min_radius * mesh.spacing;
+    co_await each_by_work(pace, mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t vertex) {
+        const uint32_t own = known.of_vertex[vertex];
+        const Vec3& position = mesh.positions[vertex];
+        const auto column_of = [&](uint32_t bone) { return joints.column_of[bones[bone].joint]; };
+        Nearest nearest;
+        // None is nearer than the nearest.
+        const double least = nearest.offer_shape(position, bones, own, column_of(own), -HUGE_VAL);
+        uint32_t work = 8;
+        for (const uint32_t end : {2 * own, 2 * own + 1})
+            for (const uint32_t other : ends_at.of(joint_of(end))) {
+                if (other / 2 == own) continue;
+                nearest.offer_shape(position, bones, other / 2, column_of(other / 2), least);
+                ++work;
+            }
+        all.begin(vertex, nearest.found(), least_radius);
+        return work;
+    });
+}
+
 // T of each vertex.
 Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig, const Pivots& pivots, double reach,
                          Spreading& all) {
@@ -347,10 +388,9 @@ Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig,
     });
 }
 
-}  // namespace
-
-Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
-                               BoneWeightOptions options) {
+// begin(joints, spreading) is the task that says what each vertex begins with.
+template <class Begin>
+Task<BoneWeights> weigh(Pace& pace, const MergedMesh& mesh, BoneRig rig, BoneWeightOptions options, Begin begin) {
     pace.stage("weights");
     if (rig.bones.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "weights: there are no bones");
     if (!(options.reach >= 0.05 && options.reach <= 2))
@@ -363,7 +403,7 @@ Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<con
     co_await each(pace, vertices, Cost::some_ns, [&](uint32_t v) { all.clear(v); });
     Buffer<std::array<double, 3>> cotangents(triangles, memory);
     co_await each(pace, triangles, Cost::tens_of_ns, [&](uint32_t t) { cotangents[t] = all.measure(mesh, t); });
-    co_await begin_within_parts(pace, mesh, parts, rig, joints, all);
+    co_await begin(joints, all);
     const Pivots pivots = co_await Pivots::make(pace, rig);
     co_await choose_spread(pace, mesh, rig, pivots, options.reach, all);
 
@@ -404,6 +444,22 @@ Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<con
     values = {};
     co_await pace;
     co_return weights;
+}
+
+}  // namespace
+
+Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
+                               BoneWeightOptions options) {
+    co_return co_await weigh(pace, mesh, rig, options, [&](const Joints& joints, Spreading& all) {
+        return begin_within_parts(pace, mesh, parts, rig, joints, all);
+    });
+}
+
+Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, NearestBones nearest, BoneRig rig,
+                               BoneWeightOptions options) {
+    co_return co_await weigh(pace, mesh, rig, options, [&](const Joints& joints, Spreading& all) {
+        return begin_at_bones(pace, mesh, nearest, rig, joints, all);
+    });
 }
 
 }  // namespace flg

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How much each joint moves each vertex of a surface. Each vertex begins with the bone of its part that is nearest
-// within the body (bone_regions.h); then that is spread over the surface, twice,
+// within the body (bone_regions.h, or whoever knows); then that is spread over the surface, twice,
 //
 //     (M + T L) w = M w_before        w minimizes  integral of (w - w_before)^2 + T |grad w|^2
 //
@@ -49,6 +49,17 @@ struct BoneRig {
 // about 7 us a vertex, and 0.6 us a vertex for each eight joints. Throws, with a sentence, if something is out of range
 // or not finite.
 Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
+                               BoneWeightOptions options);
+
+// What begins where, as somebody knows it who knows the body.
+struct NearestBones {
+    std::span<const uint32_t> of_vertex;  // the bone that is nearest within the body
+    std::span<const uint32_t> ends;       // the joint at each bone's `to`
+};
+
+// The same for any mesh. Bones that have an end in common with a vertex' nearest one share in its beginning where they
+// are about as near, by the distance from the shape around them. Takes what the other takes.
+Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, NearestBones nearest, BoneRig rig,
                                BoneWeightOptions options);
 
 }  // namespace flg

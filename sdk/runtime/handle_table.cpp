@@ -18,6 +18,8 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::part: return "part";
         case HandleKind::part_mesh: return "mesh of a part";
         case HandleKind::model: return "model";
+        case HandleKind::pull: return "pull";
+        case HandleKind::pulled: return "pulled mesh";
         case HandleKind::skin: return "skin";
         case HandleKind::manifold: return "manifold";
         case HandleKind::obstacles: return "obstacles";

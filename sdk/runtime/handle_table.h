@@ -43,7 +43,9 @@ enum class HandleKind : uint8_t {
     manifold,
     obstacles,
     spline,
-    motion
+    motion,
+    pull,
+    pulled
 };
 
 const char* handle_kind_name(HandleKind kind);

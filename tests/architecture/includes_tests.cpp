@@ -30,10 +30,12 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/inflation", {"filigree", "core", "runtime", "linear", "skeletons"}},
     {"sdk/bones", {"filigree", "core", "runtime", "curves", "surfaces", "skeletons", "inflation"}},
     {"sdk/rigs", {"filigree", "core", "bones"}},
+    {"sdk/solids", {"filigree", "core", "runtime", "surfaces", "skeletons", "inflation", "bones", "rigs"}},
+    {"sdk/pulling", {"filigree", "core", "runtime", "linear", "surfaces", "inflation"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/api",
      {"filigree", "core", "brush", "runtime", "buffers", "curves", "stylization", "surfaces", "splines", "skeletons",
-      "inflation", "bones", "rigs", "tangles"}},
+      "inflation", "bones", "rigs", "solids", "pulling", "tangles"}},
     {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
@@ -61,9 +63,9 @@ const std::map<std::string, Rooms> allowed_within = {
     {"io/tangle", {"base"}},
     {"io/", {"base", "gltf", "text", "tilt", "svg"}},
 };
-const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "buffers",          "linear", "curves",
-                     "stylization", "surfaces", "splines", "skeletons", "inflation",        "bones",  "rigs",
-                     "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
+const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "buffers",   "linear", "curves",
+                     "stylization", "surfaces", "splines", "skeletons", "inflation", "bones",  "rigs",
+                     "solids",      "pulling",  "tangles", "api",       "io",        "pick",   "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();

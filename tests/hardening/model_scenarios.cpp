@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Straight skeletons, models of parts with their skins, outlines, poses.
 #include "filigree/filigree_model.h"
+#include "filigree/filigree_pull.h"
 #include "filigree/filigree_rig.h"
 #include "hardening/host_buffers.h"
 #include "hardening/scenarios.h"
@@ -162,6 +163,54 @@ void make_outlines(Calls& calls) {
     calls.note(view.contour->points, size_t{2} * view.contour->point_count * sizeof(double));
     FLG_DRAW(calls, flgDebugDrawOutline, outline);
     FLG_CALL(calls, flgOutlineRelease, calls.context, outline);
+}
+
+void make_mesh_skins(Calls& calls) {
+    MeshArrays mesh = sphere(4);
+    const FlgMeshView input = mesh.view();
+    FlgSkinFromMeshDesc desc = FLG_INIT(calls, flgSkinFromMeshDescInit);
+    desc.mesh = &input;
+    desc.cell_count = 1000;
+    FlgSkin skin{};
+    FLG_CALL(calls, flgSkinCreateFromMesh, calls.context, &desc, calls.out(skin), calls.job());
+    calls.finish();
+    FlgSkinView view = FLG_INIT(calls, flgSkinViewInit);
+    FLG_CALL(calls, flgSkinGetView, calls.context, skin, &view);
+    calls.note(view.joint_positions, size_t{3} * view.joint_count * sizeof(float));
+    calls.note(view.vertex_weights, size_t{4} * view.vertex_count * sizeof(float));
+    FLG_CALL(calls, flgSkinRelease, calls.context, skin);
+}
+
+void pull_meshes(Calls& calls) {
+    MeshArrays mesh = sphere(4);
+    const FlgMeshView input = mesh.view();
+    FlgPullDesc desc = FLG_INIT(calls, flgPullDescInit);
+    desc.mesh = &input;
+    FlgPull pull{};
+    FLG_CALL(calls, flgPullCreate, calls.context, &desc, calls.out(pull), calls.job());
+    FlgPullHandle handles[2];
+    for (uint32_t h = 0; h < 2; ++h) {
+        handles[h] = FLG_INIT(calls, flgPullHandleInit);
+        handles[h].vertices[0] = handles[h].vertices[1] = handles[h].vertices[2] = 5 * h;
+        handles[h].position[2] = static_cast<float>(h);
+    }
+    FlgPulledDesc frame = FLG_INIT(calls, flgPulledDescInit);
+    frame.pull = pull;
+    frame.handles = handles;
+    frame.handle_count = 2;
+    for (int i = 0; i < 2; ++i) {
+        FlgPulled pulled{};
+        FLG_CALL(calls, flgPulledCreate, calls.context, &frame, calls.out(pulled), calls.job());
+        if (i > 0) FLG_CALL(calls, flgPulledRelease, calls.context, frame.previous);
+        frame.previous = pulled;
+        handles[1].position[0] += 0.5f;
+    }
+    calls.finish();
+    FlgPulledView view = FLG_INIT(calls, flgPulledViewInit);
+    FLG_CALL(calls, flgPulledGetView, calls.context, frame.previous, &view);
+    calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
+    FLG_CALL(calls, flgPulledRelease, calls.context, frame.previous);
+    FLG_CALL(calls, flgPullRelease, calls.context, pull);
 }
 
 namespace {

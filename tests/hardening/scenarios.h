@@ -40,6 +40,8 @@ void move_bodies(Calls&);
 void make_straight_skeletons(Calls&);
 void make_models(Calls&);
 void make_outlines(Calls&);
+void make_mesh_skins(Calls&);
+void pull_meshes(Calls&);
 void pose_skins(Calls&);
 
 inline constexpr Scenario scenarios[] = {
@@ -63,6 +65,8 @@ inline constexpr Scenario scenarios[] = {
     {"straight_skeletons", make_straight_skeletons},
     {"models", make_models, 2},
     {"outlines", make_outlines},
+    {"mesh_skins", make_mesh_skins},
+    {"pulls", pull_meshes},
     {"poses", pose_skins},
 };
 

@@ -35,6 +35,7 @@ const std::vector<Group>& groups() {
         {"skeletons", "skeletons", run_skeletons},
         {"skeletons", "inflation", run_inflation},
         {"skeletons", "models", run_models},
+        {"skeletons", "pulling", run_pulling},
         {"splines", "splines", run_splines},
 #if defined(FLG_WITH_RENDERER)
         {"renderer", "magnitude", run_magnitude},

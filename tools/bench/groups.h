@@ -24,6 +24,7 @@ std::vector<Row> run_inflation();
 std::vector<Row> run_tangles();
 std::vector<Row> run_skeletons();
 std::vector<Row> run_models();
+std::vector<Row> run_pulling();
 std::vector<Row> run_splines();
 std::vector<Row> run_library();
 #if defined(FLG_WITH_PICK)

@@ -11,6 +11,7 @@
 #include "documents/rig_quality.h"
 #include "documents/text_file.h"
 #include "filigree/filigree_io.h"
+#include "mesh_model.h"
 #include "mesh_outline_part.h"
 #include "rigged_skin.h"
 
@@ -21,6 +22,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
     std::vector<std::string> contours;
+    std::string mesh;  // instead of contours
     std::string output, bones;
     std::optional<float> simplify, merge, prune, collapse, detail;
     std::string root;
@@ -57,6 +59,14 @@ void set_depths(const Options& options, ModelDrawing& drawing) {
     }
 }
 
+void set_thresholds(const Options& options, FlgBoneThresholds& thresholds) {
+    thresholds.simplify = options.simplify.value_or(thresholds.simplify);
+    thresholds.merge = options.merge.value_or(thresholds.merge);
+    thresholds.prune = options.prune.value_or(thresholds.prune);
+    thresholds.collapse = options.collapse.value_or(thresholds.collapse);
+    thresholds.detail = options.detail.value_or(thresholds.detail);
+}
+
 ModelDrawing read_drawing(const Options& options, Session& session, Report& report) {
     ModelDrawing drawing;
     if (options.contours.size() == 1 && options.contours[0].ends_with(".json")) {
@@ -69,16 +79,9 @@ ModelDrawing read_drawing(const Options& options, Session& session, Report& repo
     drawing.repair = options.repair;
     if (!options.root.empty()) drawing.root = options.root;
     set_depths(options, drawing);
-    const auto set = [&](FlgBoneThresholds& thresholds) {
-        thresholds.simplify = options.simplify.value_or(thresholds.simplify);
-        thresholds.merge = options.merge.value_or(thresholds.merge);
-        thresholds.prune = options.prune.value_or(thresholds.prune);
-        thresholds.collapse = options.collapse.value_or(thresholds.collapse);
-        thresholds.detail = options.detail.value_or(thresholds.detail);
-    };
-    set(drawing.thresholds);
+    set_thresholds(options, drawing.thresholds);
     for (DrawnPart& part : drawing.parts)
-        if (part.thresholds) set(*part.thresholds);
+        if (part.thresholds) set_thresholds(options, *part.thresholds);
     return drawing;
 }
 
@@ -118,8 +121,7 @@ Json bones_json(const FlgModelView& view, const FlgRig* rig) {
     return {{"size", view.size}, {"joints", std::move(joints)}, {"parts", std::move(parts)}};
 }
 
-void write_skin(const Options& options, Session& session, const ModelDrawing& drawing, FlgModel model,
-                const FlgModelView& bones, bool is_reported, Report& report) {
+FlgSkinView make_skin(const Options& options, Session& session, FlgModel model, Report& report) {
     FlgSkinDesc desc = flgSkinDefaults();
     desc.model = model;
     desc.vertex_count = options.vertices;
@@ -129,6 +131,11 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
     session.finish({{{job, options.output}}}, report);
     FlgSkinView view = flgSkinViewDefaults();
     check(flgSkinGetView(session.context(), skin, &view), options.output);
+    return view;
+}
+
+void write_skin(const Options& options, const std::string& subject, const ModelDrawing& drawing,
+                const FlgModelView& bones, const FlgSkinView& view, bool is_reported, Report& report) {
     report.counts["vertices"] = view.vertex_count;
     report.counts["triangles"] = view.triangle_count;
     if (is_reported) {
@@ -137,7 +144,7 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
         report.quality["stretched_by"] = view.joint_names[rig.stretch_joint];
         report.quality["largest_weight_jump"] = rig.largest_jump;
     }
-    const RiggedSkin rigged(options.rig, view, bones, drawing, options.contours[0]);
+    const RiggedSkin rigged(options.rig, view, bones, drawing, subject);
     const std::vector<FlgSkinAnimation> animations = rigged.animations();
     FlgVrm vrm = flgVrmDefaults();
     std::vector<const char*> authors;
@@ -163,10 +170,22 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
     if (flgSkinFileWrite(options.output.c_str(), &file) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
+void write_bones(const Options& options, const std::string& subject, const ModelDrawing& drawing,
+                 const FlgModelView& view, Report& report) {
+    report.counts["parts"] = view.part_count;
+    report.counts["joints"] = view.joint_count;
+    if (options.bones.empty()) return;
+    std::optional<ModelRig> rig;
+    if (view.joint_count <= FLG_RIG_MAX_JOINTS) rig.emplace(view.joint_positions, view, left_of(drawing), subject);
+    write_text_file(options.bones, bones_json(view, rig ? &rig->rig() : nullptr).dump(1) + "\n");
+}
+
 void run_skeleton(const Options& options, const CommonOptions& common) {
     const bool is_vrm = options.rig.standard == FLG_RIG_STANDARD_VRM;
     if (!options.rig.authors.empty() && !is_vrm) throw UsageError("--author: is asked for by --rig vrm alone");
     if (options.output.empty() && options.bones.empty()) throw UsageError("skeleton needs -o or --bones");
+    if (options.mesh.empty() == options.contours.empty())
+        throw UsageError("skeleton needs contours, or a mesh by --mesh, and not both");
     if (!options.output.empty() && !ends_with_one_of(options.output, {".glb"}))
         throw UsageError("-o: " + options.output + " must end with .glb");
     require_writable(options.output);
@@ -174,19 +193,26 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
     require_writable(common.report);
     Report report("skeleton", common);
     Session session(common);
-    const ModelDrawing drawing = read_drawing(options, session, report);
-    const FlgModel model = make_drawn_model(session, drawing, options.contours[0], report);
-    FlgModelView view = flgModelViewDefaults();
-    check(flgModelGetView(session.context(), model, &view), options.contours[0]);
-    report.counts["parts"] = view.part_count;
-    report.counts["joints"] = view.joint_count;
-    if (!options.bones.empty()) {
-        std::optional<ModelRig> rig;
-        if (view.joint_count <= FLG_RIG_MAX_JOINTS)
-            rig.emplace(view.joint_positions, view, left_of(drawing), options.contours[0]);
-        write_text_file(options.bones, bones_json(view, rig ? &rig->rig() : nullptr).dump(1) + "\n");
+    const bool is_reported = !common.report.empty();
+    if (!options.mesh.empty()) {
+        FlgBoneThresholds thresholds;
+        flgBoneThresholdsInit(&thresholds, sizeof thresholds);
+        set_thresholds(options, thresholds);
+        const MeshModel model(session, options.mesh, thresholds, report);
+        write_bones(options, options.mesh, model.drawing(), model.bones(), report);
+        if (!options.output.empty())
+            write_skin(options, options.mesh, model.drawing(), model.bones(), model.skin(), is_reported, report);
+    } else {
+        const std::string& subject = options.contours[0];
+        const ModelDrawing drawing = read_drawing(options, session, report);
+        const FlgModel model = make_drawn_model(session, drawing, subject, report);
+        FlgModelView view = flgModelViewDefaults();
+        check(flgModelGetView(session.context(), model, &view), subject);
+        write_bones(options, subject, drawing, view, report);
+        if (!options.output.empty())
+            write_skin(options, subject, drawing, view, make_skin(options, session, model, report), is_reported,
+                       report);
     }
-    if (!options.output.empty()) write_skin(options, session, drawing, model, view, !common.report.empty(), report);
     report.write();
 }
 
@@ -195,11 +221,13 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
 Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("skeleton", "Turns drawn outlines into a model with bones");
+    command->add_option("CONTOUR", options->contours,
+                        "Contours, a part each in the order they were drawn: .poly.txt, .svg, SketchPolyline*.txt; "
+                        "meshes, taken by their silhouettes; or one drawing (.json)");
     command
-        ->add_option("CONTOUR", options->contours,
-                     "Contours, a part each in the order they were drawn: .poly.txt, .svg, SketchPolyline*.txt; "
-                     "meshes, taken by their silhouettes; or one drawing (.json)")
-        ->required();
+        ->add_option("--mesh", options->mesh,
+                     "Instead of contours a mesh: it gets bones and weights, and keeps its vertices")
+        ->type_name("MESH");
     command->add_option("-o,--output", options->output, "The model: surface, joints, weights and a test animation")
         ->type_name("MODEL.glb");
     command->add_option("--vertices", options->vertices, "Approximate vertex count of the surface")

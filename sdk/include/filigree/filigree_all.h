@@ -12,6 +12,7 @@
 #include "filigree_motion.h"
 #include "filigree_pick.h"
 #include "filigree_project.h"
+#include "filigree_pull.h"
 #include "filigree_rig.h"
 #include "filigree_debug.h"
 

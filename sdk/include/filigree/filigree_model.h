@@ -333,6 +333,9 @@ typedef struct FlgSkinView {
     const uint32_t* joint_parents;  /* one per joint, lower than its own index; FLG_NO_INDEX: a root */
     const char* const* joint_names; /* one per joint, UTF-8, unique; null in input: none */
     double origin[3];               /* metres: what positions are relative to. Default 0 */
+    const float* joint_radii;       /* one per joint: radius of the shape around it, metres; null in input: not known */
+    float mirror[4];                /* a x + b y + c z = d: the plane of its mirror image, whose normal points to its
+                                       left; 0: none. Ignored in input */
 } FlgSkinView;
 
 typedef struct FlgSkinDesc {
@@ -353,6 +356,33 @@ FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
  * (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more
  * than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost: 15 us a vertex. */
 FLG_API FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
+
+typedef struct FlgSkinFromMeshDesc {
+    uint32_t struct_size;
+    uint32_t cell_count;      /* of the lattice that the inside is looked at in: 1000 to 16777216, default 600000. Limbs
+                                 of less than two cells get no bones of their own */
+    const FlgJobOptions* job;
+    const FlgMeshView* mesh;  /* up to 1048576 vertices; copied. Columns other than position and normal are not read */
+    float weld_distance;      /* metres: nearer vertices move alike; below 0: none do. Default 0: those at one place */
+    float up[3];              /* of any length above 0. Default 0 1 0 */
+    float left[3];            /* to the model's left, if it is its own mirror image. 0 0 0: found; the model looks where
+                                 its head is if it stands on four legs, else where its feet point. Default 0 0 0 */
+    uint32_t reserved;
+    const FlgBoneThresholds* thresholds; /* shares of three times the mesh's diagonal; null: the defaults */
+} FlgSkinFromMeshDesc;
+
+FLG_API FlgResult flgSkinFromMeshDescInit(FlgSkinFromMeshDesc* desc, uint32_t struct_size);
+
+/* Starts a job that gives a mesh joints and weights. The skin has the mesh's own vertices and triangles in their order,
+ * so all that belongs to them (texture coordinates, colours, morph targets) still fits; its normals are the mesh's, or
+ * found if it has none. The mesh should be closed: past holes what is inside is guessed, and what is thinner than a
+ * cell counts as inside. Pieces that do not touch hang on the nearest one.
+ * The hierarchy begins in the middle of the trunk. Limbs that stand out get bones; sheets and bulges don't. A mesh that
+ * is its own mirror image within 3 % gets joints that are mirror images too. Joints have names as drawn ones: body_0,
+ * head_0, arm_1.L; flgRigFind takes them with `joint_radii` and `mirror`. The lattice turns with the mesh.
+ * Fails for meshes without triangles. FLG_ERROR_LIMIT above 65535 joints. Cost: 0.25 s, and 15 us a vertex. */
+FLG_API FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgSkinFromMeshDesc* desc, FlgSkin* out_skin,
+                                        FlgJob* out_job);
 
 /* The arrays live until the skin is released. FLG_NOT_READY until its job is published, the job's error if it
  * failed. */
@@ -473,6 +503,12 @@ static inline FlgPartMeshView flgPartMeshViewDefaults(void) {
 static inline FlgSkinDesc flgSkinDefaults(void) {
     FlgSkinDesc desc;
     flgSkinDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSkinFromMeshDesc flgSkinFromMeshDefaults(void) {
+    FlgSkinFromMeshDesc desc;
+    flgSkinFromMeshDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -349,6 +349,13 @@ namespace Filigree
         public byte** joint_names;
         /// <summary>metres: what positions are relative to. Default 0</summary>
         public fixed double origin[3];
+        /// <summary>one per joint: radius of the shape around it, metres; null in input: not known</summary>
+        public float* joint_radii;
+        /// <summary>
+        /// a x + b y + c z = d: the plane of its mirror image, whose normal points to its left; 0: none. Ignored in
+        /// input
+        /// </summary>
+        public fixed float mirror[4];
     }
 
     public unsafe partial struct FlgSkinDesc
@@ -367,6 +374,31 @@ namespace Filigree
         /// part's radius; 0: none. Default -1
         /// </summary>
         public float blend;
+    }
+
+    public unsafe partial struct FlgSkinFromMeshDesc
+    {
+        public uint struct_size;
+        /// <summary>
+        /// of the lattice that the inside is looked at in: 1000 to 16777216, default 600000. Limbs of less than two
+        /// cells get no bones of their own
+        /// </summary>
+        public uint cell_count;
+        public FlgJobOptions* job;
+        /// <summary>up to 1048576 vertices; copied. Columns other than position and normal are not read</summary>
+        public FlgMeshView* mesh;
+        /// <summary>metres: nearer vertices move alike; below 0: none do. Default 0: those at one place</summary>
+        public float weld_distance;
+        /// <summary>of any length above 0. Default 0 1 0</summary>
+        public fixed float up[3];
+        /// <summary>
+        /// to the model's left, if it is its own mirror image. 0 0 0: found; the model looks where its head is if it
+        /// stands on four legs, else where its feet point. Default 0 0 0
+        /// </summary>
+        public fixed float left[3];
+        public uint reserved;
+        /// <summary>shares of three times the mesh's diagonal; null: the defaults</summary>
+        public FlgBoneThresholds* thresholds;
     }
 
     /// <summary>A motion of a skin's joints.</summary>

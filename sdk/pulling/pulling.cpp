@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "pulling/pulling.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/each.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t width = 4;         // numbers a point
+constexpr uint32_t most_turns = 6;    // of a rotation, before it is found the long way
+constexpr double still = 1e-6;        // squared radians: the last turn, which leaves its square of an error
+constexpr double farthest = 0.5;      // squared radians: no turn is farther
+constexpr double flattest = 1e-9;     // of the cubed trace: the Hessian's determinant
+constexpr double rigid = 1e-9;        // of how far handles are apart: they move as one body
+constexpr double in_a_line = 1e-4;    // likewise: handles that leave a rotation open
+constexpr double soft_pivot = 1e-12;  // of the largest: handles that hold nearly the same share their force
+using Matrix = Eigen::Matrix3d;
+using Rotation = Eigen::Quaterniond;
+
+Eigen::Map<Vec3> point(Buffer<double>& values, uint32_t i) {
+    return Eigen::Map<Vec3>(values.data() + size_t{width} * i);
+}
+using Row = Eigen::Vector4d;
+Eigen::Map<Row, Eigen::Aligned32> row(Buffer<double>& values, uint32_t i) {
+    return Eigen::Map<Row, Eigen::Aligned32>(values.data() + size_t{width} * i);
+}
+Rotation rotation_at(const Buffer<double>& rotations, uint32_t i) {
+    const double* q = rotations.data() + size_t{width} * i;
+    return Rotation(q[3], q[0], q[1], q[2]);
+}
+
+Matrix nearest_rotation(const Matrix& spread) {
+    const Eigen::JacobiSVD<Matrix> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Matrix turn = svd.matrixU() * svd.matrixV().transpose();
+    if (turn.determinant() > 0) return turn;
+    return turn - 2 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
+}
+
+// The rotation nearest to a matrix, from one that is near as a rule: Newton's method for the largest trace of R' S. Its
+// Hessian is that of a flat neighbourhood too, which methods that divide by the trace find slowly.
+Rotation turn_to(const Matrix& spread, const Rotation& from) {
+    Rotation rotation = from;
+    for (uint32_t i = 0; i < most_turns; ++i) {
+        const Matrix turned = spread * rotation.toRotationMatrix().transpose();
+        const Vec3 torque(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0), turned(1, 0) - turned(0, 1));
+        const double xx = turned(1, 1) + turned(2, 2), yy = turned(0, 0) + turned(2, 2),
+                     zz = turned(0, 0) + turned(1, 1), xy = -0.5 * (turned(0, 1) + turned(1, 0)),
+                     xz = -0.5 * (turned(0, 2) + turned(2, 0)), yz = -0.5 * (turned(1, 2) + turned(2, 1));
+        const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;
+        const double determinant = xx * a + xy * b + xz * c, trace = xx + yy + zz;
+        // A largest trace is where the Hessian is definite.
+        if (!(xx > 0 && xx * yy > xy * xy && determinant > flattest * trace * trace * trace)) break;
+        const double d = xx * zz - xz * xz, e = xy * xz - xx * yz, f = xx * yy - xy * xy;
+        const Vec3 turn =
+            Vec3(a * torque.x() + b * torque.y() + c * torque.z(), b * torque.x() + d * torque.y() + e * torque.z(),
+                 c * torque.x() + e * torque.y() + f * torque.z()) /
+            determinant;
+        const double squared = turn.squaredNorm();
+        if (squared > farthest) break;
+        rotation = (Rotation(1, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()) * rotation).normalized();
+        if (squared < still) return rotation;
+    }
+    return Rotation(nearest_rotation(spread));
+}
+
+class Puller {
+public:
+    Puller(Pace& pace, const PullSystem& system, std::span<const PullHandle> handles, PulledState& out)
+        : pace_(pace),
+          system_(system),
+          handles_(handles),
+          out_(out),
+          rest_(size_t{width} * system.count(), pace.memory()),
+          at_(size_t{width} * system.count(), pace.memory()),
+          next_(size_t{width} * system.count(), pace.memory()),
+          response_(pace.memory()) {}
+
+    // Coroutines that are members take their frames from here.
+    operator Pace&() const { return pace_; }
+
+    Task<void> run(std::span<const float> rest, const PulledState* previous, uint32_t rounds) {
+        const uint32_t count = system_.count();
+        out_.moved = Buffer<double>(size_t{width} * count, pace_.memory());
+        out_.rotations = Buffer<double>(size_t{width} * count, pace_.memory());
+        co_await each(pace_, count, Cost::tens_of_ns, [&](uint32_t v) {
+            const uint32_t i = system_.place_of[v];
+            for (uint32_t k = 0; k < 3; ++k)
+                rest_[size_t{width} * i + k] = static_cast<double>(rest[size_t{3} * v + k]);
+            rest_[size_t{width} * i + 3] = 0;
+        });
+        const bool goes_on = previous && !handles_.empty();
+        co_await each(pace_, size_t{width} * count, Cost::some_ns, [&](uint32_t i) {
+            at_[i] = rest_[i] + (goes_on ? previous->moved[i] : 0);
+            out_.rotations[i] = goes_on ? previous->rotations[i] : i % width == 3 ? 1 : 0;
+        });
+        if (!handles_.empty()) {
+            co_await find_responses(previous);
+            if (co_await move_as_one()) rounds = 0;
+            for (uint32_t round = 0; round < rounds; ++round) {
+                co_await turn();
+                co_await place();
+            }
+        }
+        co_await each(pace_, size_t{width} * count, Cost::some_ns,
+                      [&](uint32_t i) { out_.moved[i] = at_[i] - rest_[i]; });
+    }
+
+private:
+    Vec3 held(const Buffer<double>& values, const PullHandle& handle) const {
+        Vec3 sum = Vec3::Zero();
+        for (uint32_t c = 0; c < 3; ++c) {
+            const double* const at = values.data() + size_t{width} * system_.place_of[handle.vertices[c]];
+            sum += handle.shares[c] * Vec3(at[0], at[1], at[2]);
+        }
+        return sum;
+    }
+
+    // Handles that move rigidly move all so: that has no energy (Kabsch).
+    Task<bool> move_as_one() {
+        const auto size = static_cast<double>(handles_.size());
+        if (size < 3) co_return false;
+        Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+        co_await each(pace_, handles_.size(), Cost::tens_of_ns, [&](uint32_t h) {
+            from += held(rest_, handles_[h]) / size;
+            to += handles_[h].at / size;
+        });
+        Matrix both = Matrix::Zero();
+        double apart = 0;
+        co_await each(pace_, handles_.size(), Cost::tens_of_ns, [&](uint32_t h) {
+            const Vec3 own = held(rest_, handles_[h]) - from;
+            both += (handles_[h].at - to) * own.transpose();
+            apart += own.squaredNorm();
+        });
+        const Eigen::JacobiSVD<Matrix> svd(both);
+        if (!(svd.singularValues()[1] > in_a_line * apart)) co_return false;
+        const Matrix turn = nearest_rotation(both);
+        double off = 0;
+        co_await each(pace_, handles_.size(), Cost::tens_of_ns, [&](uint32_t h) {
+            off += (turn * (held(rest_, handles_[h]) - from) - (handles_[h].at - to)).squaredNorm();
+        });
+        if (!(off <= rigid * rigid * apart)) co_return false;
+        const Rotation rotation(turn);
+        co_await each(pace_, system_.count(), Cost::tens_of_ns, [&](uint32_t i) {
+            point(at_, i) = turn * (point(rest_, i) - from) + to;
+            double* const q = out_.rotations.data() + size_t{width} * i;
+            q[0] = rotation.x(), q[1] = rotation.y(), q[2] = rotation.z(), q[3] = rotation.w();
+        });
+        co_return true;
+    }
+
+    // What handles do to the surface; those of the frame before are kept.
+    Task<void> find_responses(const PulledState* previous) {
+        const uint32_t count = system_.count();
+        std::pmr::vector<uint32_t> missing(pace_.memory());
+        out_.responses.resize(handles_.size());
+        Slice slice(Cost::some_ns);
+        for (uint32_t h = 0; h < handles_.size(); ++h) {
+            if (slice.is_over(1 + static_cast<uint32_t>(previous ? previous->responses.size() : 0))) co_await pace_;
+            if (previous) {
+                for (const auto& known : previous->responses)
+                    if (known->handle.holds_as(handles_[h])) out_.responses[h] = known;
+            }
+            if (!out_.responses[h]) missing.push_back(h);
+        }
+        for (size_t first = 0; first < missing.size(); first += width) {
+            co_await each(pace_, next_.size(), Cost::some_ns, [&](uint32_t i) { next_[i] = 0; });
+            const size_t some = std::min<size_t>(width, missing.size() - first);
+            for (size_t k = 0; k < some; ++k) {
+                const PullHandle& handle = handles_[missing[first + k]];
+                for (uint32_t c = 0; c < 3; ++c)
+                    next_[size_t{width} * system_.place_of[handle.vertices[c]] + k] += handle.shares[c];
+            }
+            co_await solve_points(pace_, system_.factor, {next_.data(), next_.size()});
+            for (size_t k = 0; k < some; ++k) {
+                auto made =
+                    std::allocate_shared<PullResponse>(std::pmr::polymorphic_allocator<PullResponse>(pace_.memory()));
+                made->handle = handles_[missing[first + k]];
+                made->values = Buffer<double>(count, pace_.memory());
+                co_await each(pace_, count, Cost::some_ns,
+                              [&](uint32_t i) { made->values[i] = next_[size_t{width} * i + k]; });
+                out_.responses[missing[first + k]] = std::move(made);
+            }
+        }
+        co_await factorize_responses();
+    }
+
+    double answer(uint32_t handle, uint32_t force) const {
+        double sum = 0;
+        for (uint32_t c = 0; c < 3; ++c)
+            sum += handles_[handle].shares[c] *
+                   out_.responses[force]->values[system_.place_of[handles_[handle].vertices[c]]];
+        return sum;
+    }
+
+    // Cholesky of the handles' own matrix, dense, row by row.
+    Task<void> factorize_responses() {
+        const auto size = static_cast<uint32_t>(handles_.size());
+        response_.resize(size_t{size} * size);
+        double largest = 0;
+        Slice slice(Cost::some_ns);
+        for (uint32_t h = 0; h < size; ++h) {
+            for (uint32_t k = 0; k <= h; ++k) {
+                double value = answer(h, k) + (h == k ? handles_[h].compliance : 0);
+                if (h == k) largest = std::max(largest, value);
+                for (uint32_t m = 0; m < k; ++m) value -= at(h, m) * at(k, m);
+                at(h, k) = k < h ? value / at(k, k) : std::sqrt(std::max(value, soft_pivot * largest));
+                if (slice.is_over(8 + k)) co_await pace_;
+            }
+        }
+    }
+    double& at(uint32_t row, uint32_t column) { return response_[row * handles_.size() + column]; }
+
+    // The local step, and with each rotation what it gives to the right-hand sides of the global one.
+    Task<void> turn() {
+        co_await each(pace_, system_.count(), Cost::some_ns, [&](uint32_t i) {
+            point(next_, i) = system_.mass(i) * point(at_, i);
+            next_[size_t{width} * i + 3] = 0;
+        });
+        double energy = 0;
+        co_await each(pace_, system_.count(), Cost::hundreds_of_ns, [&](uint32_t i) { energy += turn_one(i); });
+        out_.energy = std::max(energy, 0.0);
+    }
+    // With four numbers a point, of which the last are 0: two registers.
+    double turn_one(uint32_t i) {
+        const uint32_t begin = system_.offsets[i], end = system_.offsets[i + 1];
+        const Row own_now = row(at_, i), own_rest = row(rest_, i);
+        Eigen::Matrix<double, 4, 3> spread = Eigen::Matrix<double, 4, 3>::Zero();
+        Row lengths = Row::Zero();
+        for (uint32_t e = begin; e < end; ++e) {
+            const uint32_t j = system_.neighbours[e];
+            const Row now = own_now - row(at_, j), before = own_rest - row(rest_, j);
+            const Row weighed = static_cast<double>(system_.weights[e]) * now;
+            for (int k = 0; k < 3; ++k) spread.col(k) += before[k] * weighed;
+            lengths +=
+                weighed.cwiseProduct(now) + static_cast<double>(system_.weights[e]) * before.cwiseProduct(before);
+        }
+        const Matrix moved = spread.topRows<3>();
+        const Rotation found = turn_to(moved, rotation_at(out_.rotations, i));
+        double* const q = out_.rotations.data() + size_t{width} * i;
+        q[0] = found.x(), q[1] = found.y(), q[2] = found.z(), q[3] = found.w();
+        Eigen::Matrix<double, 4, 3> turn;
+        turn << 0.5 * found.toRotationMatrix(), Eigen::RowVector3d::Zero();
+        Row sum = Row::Zero();
+        for (uint32_t e = begin; e < end; ++e) {
+            const uint32_t j = system_.neighbours[e];
+            const Row before = static_cast<double>(system_.weights[e]) * (own_rest - row(rest_, j));
+            const Row half = before[0] * turn.col(0) + before[1] * turn.col(1) + before[2] * turn.col(2);
+            sum += half;
+            row(next_, j) -= half;
+        }
+        row(next_, i) += sum;
+        return lengths.sum() - 4 * turn.cwiseProduct(spread).sum();
+    }
+
+    // The global step.
+    Task<void> place() {
+        co_await solve_points(pace_, system_.factor, {next_.data(), next_.size()});
+        co_await meet_handles();
+        std::swap(at_, next_);
+    }
+
+    // The forces at handles that bring these where they are to be.
+    Task<void> meet_handles() {
+        const auto size = static_cast<uint32_t>(handles_.size());
+        std::pmr::vector<Vec3> forces(size, Vec3::Zero(), pace_.memory());
+        Slice slice(Cost::some_ns);
+        for (uint32_t h = 0; h < size; ++h) {
+            Vec3 off = handles_[h].at - held(next_, handles_[h]);
+            for (uint32_t m = 0; m < h; ++m) off -= at(h, m) * forces[m];
+            forces[h] = off / at(h, h);
+            if (slice.is_over(8 + h)) co_await pace_;
+        }
+        for (uint32_t h = size; h-- > 0;) {
+            for (uint32_t m = h + 1; m < size; ++m) forces[h] -= at(m, h) * forces[m];
+            forces[h] /= at(h, h);
+            if (slice.is_over(8 + size - h)) co_await pace_;
+        }
+        std::pmr::vector<const double*> responses(pace_.memory());
+        for (const auto& response : out_.responses) responses.push_back(response->values.data());
+        co_await each_by_work(pace_, system_.count(), Cost::some_ns, [&](uint32_t i) {
+            Vec3 sum = Vec3::Zero();
+            for (uint32_t h = 0; h < size; ++h) sum += responses[h][i] * forces[h];
+            point(next_, i) += sum;
+            return 2 + size;
+        });
+    }
+
+    Pace& pace_;
+    const PullSystem& system_;
+    std::span<const PullHandle> handles_;
+    PulledState& out_;
+    Buffer<double> rest_, at_, next_;
+    std::pmr::vector<double> response_;  // the lower triangle of its factor
+};
+
+}  // namespace
+
+Task<void> pull(Pace& pace, const PullSystem& system, std::span<const float> rest, std::span<const PullHandle> handles,
+                const PulledState* previous, uint32_t rounds, PulledState& out) {
+    Puller puller(pace, system, handles, out);
+    co_await puller.run(rest, previous, rounds);
+}
+
+}  // namespace flg
