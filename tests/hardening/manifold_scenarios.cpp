@@ -112,6 +112,13 @@ void make_sampled_manifolds(Calls& calls) {
         const FlgSpline spline = fit(calls, manifold);
         calls.finish();
         look_at(calls, spline);
+        if (manifold.id != made[0].id) continue;
+        FlgSplineTraceDesc trace = FLG_INIT(calls, flgSplineTraceDescInit);
+        trace.spline = spline;
+        FlgSurfaceCurves curves{};
+        FLG_CALL(calls, flgSplineTrace, calls.context, &trace, calls.out(curves), calls.job());
+        calls.finish();
+        calls.note(curves);
     }
 }
 

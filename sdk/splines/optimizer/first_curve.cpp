@@ -179,8 +179,7 @@ Task<void> find_first_curve(Pace& pace, const ManifoldProduct& held, GivenPoints
     out.points.assign(given.values.begin(), given.values.begin() + n);
     std::optional<NearestPoints> nearest;
     if (held.components.size() > 0) {
-        nearest.emplace(held.surface->mesh());
-        co_await build(pace, *nearest);
+        nearest.emplace(co_await nearest_on(pace, held));
         co_await refuse_parts(pace, held, given, *nearest);
     }
     for (uint32_t s = 0; s < segments; ++s) {
@@ -215,10 +214,7 @@ Task<void> find_first_curve(Pace& pace, const ManifoldProduct& held, GivenPoints
                               "%s: no way over the surface was found from point %u to point %u; put points between",
                               given.argument, s, (s + 1) % count);
             }
-            if (!nearest) {
-                nearest.emplace(held.surface->mesh());
-                co_await build(pace, *nearest);
-            }
+            if (!nearest) nearest.emplace(co_await nearest_on(pace, held));
             co_await follow_mesh(pace, held, given, s, *nearest, out);
         }
         out.ends.push_back(static_cast<uint32_t>(out.points.size() / n));

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double least_share = 1e-5;  // of an edge: walks cross it so far from its ends
+constexpr double border_angle = 1e-3;  // radians: how directions along a border lead into the surface
 constexpr uint32_t no_edge = 3;
 
 Vec3 edge_vector(const Mesh& mesh, Corner corner) {
@@ -70,13 +71,26 @@ double DirectionFrame::angle_of(uint32_t triangle, const Vec3& direction) const 
     return 0;
 }
 
+// From the middle of what there is, -pi to pi.
+double DirectionFrame::from_middle(double angle) const {
+    const double off = angle - 0.5 * turn_;
+    return off - full_turn * std::round(off / full_turn);
+}
+
+double DirectionFrame::half_tangent(double forward, bool is_forward) const {
+    const double back = forward + std::numbers::pi, half = 0.5 * turn_;
+    if (closed_ || (std::abs(from_middle(forward)) <= half && std::abs(from_middle(back)) <= half))
+        return is_forward ? forward : back;
+    return is_forward == (from_middle(forward) > 0) ? turn_ : 0;
+}
+
 SurfaceRay DirectionFrame::ray(const Mesh& mesh, double angle) const {
     double at = angle / scale_;
     if (closed_) {
         at -= turn_ * std::floor(at / turn_);
-    } else if (at < 0 || at > turn_) {
-        const double middle = 0.5 * turn_, off = at - middle;
-        at = std::clamp(off - full_turn * std::round(off / full_turn), -middle, middle) + middle;
+    } else {
+        const double most = 0.5 * turn_ - std::min(border_angle, 0.1 * turn_);
+        at = 0.5 * turn_ + std::clamp(from_middle(at), -most, most);
     }
     auto wedge = std::upper_bound(wedges_.begin() + 1, wedges_.end(), at,
                                   [](double value, const Wedge& w) { return value < w.begin; }) -

@@ -31,6 +31,9 @@ public:
     bool is_valid() const { return turn_ > 0; }
     // Of a direction in one of the triangles around, not 0.
     double angle_of(uint32_t triangle, const Vec3& direction) const;
+    // The angle of a tangent's half, given that of its forward one: at a border that either half would lead over, along
+    // the border.
+    double half_tangent(double forward, bool is_forward) const;
     // Any angle; at a border, the nearest that leads into the surface.
     SurfaceRay ray(const Mesh& mesh, double angle) const;
 
@@ -42,6 +45,7 @@ private:
         Vec3 along, across;  // unit length
     };
     void add(const Mesh& mesh, Corner corner, const Vec3& along, double size);
+    double from_middle(double angle) const;
 
     std::pmr::vector<Wedge> wedges_;
     SurfacePlace place_{};

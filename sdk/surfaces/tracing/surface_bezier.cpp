@@ -9,10 +9,14 @@
 #include "surfaces/tracing/geodesic_path.h"
 #include "surfaces/tracing/straight_walk.h"
 #include "surfaces/tracing/surface_path.h"
+#include "surfaces/tracing/surface_walk.h"
 
 namespace flg {
 
 namespace {
+
+constexpr double max_detour = 1.5;  // of a way in a plane, over the chord
+constexpr size_t min_walked = 6;    // points of a way
 
 bool is_same(const SurfacePoint& a, const SurfacePoint& b) {
     return a.triangle == b.triangle && a.u == b.u && a.v == b.v;
@@ -38,11 +42,13 @@ public:
           regions_(memory),
           shortener_(mesh, regions_, memory),
           way_(memory),
+          walked_(memory),
           drawn_(memory),
           frame_(memory),
           reversed_(memory),
           between_(memory),
           handles_{Handle(memory), Handle(memory)} {
+        for (SurfaceCurves* curves : {&way_, &walked_}) curves->closed.push_back(false);
         for (Straight& slot : straights_) slot.path.emplace(memory);
         for (auto& level : levels_) {
             for (auto& path : level) path.emplace(memory);
@@ -58,7 +64,8 @@ private:
         std::optional<SurfacePath> path;
     };
 
-    static Task<bool> shorten(Pace& pace, BezierMaker& m, SurfacePoint from, SurfacePoint to, bool along_way,
+    static Task<bool> shorten(Pace& pace, BezierMaker& m, SurfacePath& out);
+    static Task<bool> connect(Pace& pace, BezierMaker& m, SurfacePoint from, SurfacePoint to, const SurfaceCurves* way,
                               SurfacePath& out);
     static Task<const SurfacePath*> straight(Pace& pace, BezierMaker& m, uint32_t segment);
     static Task<bool> find_handle(Pace& pace, BezierMaker& m, uint32_t point, bool forward, Handle& out);
@@ -67,9 +74,12 @@ private:
 
     void begin_way() {
         way_.points.clear();
-        way_.closed.assign(1, false);
+        way_length_ = 0;
     }
-    void append(const PathPart& part) { append_part(mesh_, part, way_); }
+    void append(const PathPart& part) {
+        append_part(mesh_, part, way_);
+        way_length_ += part.length();
+    }
     uint32_t count() const { return static_cast<uint32_t>(out_.given.size()); }
     uint32_t wrapped(uint32_t point) const { return point % count(); }
     bool copies(uint32_t segment) const;
@@ -79,7 +89,8 @@ private:
     SurfaceBezier& out_;
     RegionSet regions_;
     PathShortener shortener_;
-    SurfaceCurves way_, drawn_;
+    SurfaceCurves way_, walked_, drawn_;
+    double way_length_ = 0;
     DirectionFrame frame_;
     SurfacePath reversed_, between_;
     Handle handles_[2];
@@ -87,11 +98,24 @@ private:
     std::array<std::array<std::optional<SurfacePath>, 3>, max_bezier_halvings> levels_;
 };
 
-// Shortens the way, or finds one.
-Task<bool> BezierMaker::shorten(Pace& pace, BezierMaker& m, SurfacePoint from, SurfacePoint to, bool along_way,
-                                SurfacePath& out) {
+// The shortest path near the way. Where the way in the plane through both ends is shorter it begins there: to cut a
+// corner off takes a round for each row of triangles.
+Task<bool> BezierMaker::shorten(Pace& pace, BezierMaker& m, SurfacePath& out) {
+    const SurfacePoint from = m.way_.points.front(), to = m.way_.points.back();
+    bool is_walked = false;
+    if (m.way_.points.size() > min_walked) {
+        m.walked_.points.clear();
+        const SurfaceWalk walk = co_await add_surface_walk(pace, m.mesh_, from, to, m.walked_);
+        is_walked = walk.found && !m.walked_.points.empty() && walk.length <= m.way_length_;
+    }
+    co_return co_await connect(pace, m, from, to, is_walked ? &m.walked_ : &m.way_, out);
+}
+
+// Along a way or, if that is null, the shortest strip.
+Task<bool> BezierMaker::connect(Pace& pace, BezierMaker& m, SurfacePoint from, SurfacePoint to,
+                                const SurfaceCurves* way, SurfacePath& out) {
     m.drawn_.points.clear();
-    const GeodesicPath path = co_await shorten_way(pace, m.shortener_, from, to, along_way ? &m.way_ : nullptr, m.drawn_);
+    const GeodesicPath path = co_await shorten_way(pace, m.shortener_, from, to, way, m.drawn_);
     if (!path.found) co_return false;
     out.clear();
     if (m.drawn_.points.empty()) out.add(m.mesh_, from);
@@ -103,12 +127,18 @@ Task<bool> BezierMaker::shorten(Pace& pace, BezierMaker& m, SurfacePoint from, S
     co_return true;
 }
 
+// From the way in the plane through both points unless that is a detour: it takes as long as its triangles, and the
+// search for a shortest strip as long as all those between.
 Task<const SurfacePath*> BezierMaker::straight(Pace& pace, BezierMaker& m, uint32_t segment) {
     Straight& slot = m.straights_[segment % m.straights_.size()];
     if (slot.segment == segment) co_return &*slot.path;
     slot.segment = no_index;
-    const bool found = co_await shorten(pace, m, m.out_.given[segment], m.out_.given[m.wrapped(segment + 1)], false,
-                                        *slot.path);
+    const SurfacePoint from = m.out_.given[segment], to = m.out_.given[m.wrapped(segment + 1)];
+    const double chord = (position_of(m.mesh_, to) - position_of(m.mesh_, from)).norm();
+    m.walked_.points.clear();
+    const SurfaceWalk walk = co_await add_surface_walk(pace, m.mesh_, from, to, m.walked_);
+    const bool is_near = walk.found && !m.walked_.points.empty() && walk.length <= max_detour * chord;
+    const bool found = co_await connect(pace, m, from, to, is_near ? &m.walked_ : nullptr, *slot.path);
     if (!found) co_return nullptr;
     slot.segment = segment;
     co_return &*slot.path;
@@ -131,7 +161,7 @@ Task<bool> BezierMaker::find_handle(Pace& pace, BezierMaker& m, uint32_t point, 
         const double behind = m.frame_.angle_of(to_last, back), front = m.frame_.angle_of(to_next, ahead);
         const double x = d0 * std::cos(front) - d1 * std::cos(behind), y = d0 * std::sin(front) - d1 * std::sin(behind);
         const double speed = std::hypot(x, y) / (d0 + d1);
-        const double angle = std::atan2(y, x) + (forward ? 0 : std::acos(-1.0));
+        const double angle = m.frame_.half_tangent(std::atan2(y, x), forward);
         co_await walk_straight(pace, m.mesh_, m.frame_.ray(m.mesh_, angle), speed * own / 3, out.out);
     } else {
         out.out.add(m.mesh_, m.out_.given[point]);
@@ -165,8 +195,7 @@ Task<bool> BezierMaker::find_polygon(Pace& pace, BezierMaker& m, uint32_t segmen
     if (!is_first) m.append(whole(leaving.back));
     m.append(whole(*path));
     if (!is_last) m.append(whole(arriving.out));
-    const SurfacePoint from = m.way_.points.front(), to = m.way_.points.back();
-    const bool found = co_await shorten(pace, m, from, to, true, m.between_);
+    const bool found = co_await shorten(pace, m, m.between_);
     if (!found) co_return false;
     // The free handle of a natural end is in the middle.
     const PathPart between = whole(m.between_);
@@ -188,7 +217,7 @@ Task<bool> BezierMaker::halve(Pace& pace, BezierMaker& m, Polygon polygon, uint3
         m.begin_way();
         m.append(first.half(true));
         m.append(second.half(false));
-        return shorten(pace, m, m.way_.points.front(), m.way_.points.back(), true, out);
+        return shorten(pace, m, out);
     };
     const auto& sides = polygon.sides;
     bool found = co_await across(sides[0], sides[1], *own[0]);
