@@ -125,8 +125,9 @@ void read_handles(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& re
         const FlgSplineHandle handle = read_element(desc.handles, h, sized<FlgSplineHandle>(), "handle");
         SplineHandle& out = request.handles[h] = SplineHandle{.point = handle.point, .index = h};
         if (handle.point >= desc.point_count)
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.handles[%u].point is %u, must be below desc.point_count, %u",
-                          h, handle.point, desc.point_count);
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.handles[%u].point is %u, must be below desc.point_count, %u", h, handle.point,
+                          desc.point_count);
         if (!handle.slope) continue;
         char name[64];
         std::snprintf(name, sizeof name, "desc.handles[%u].slope", h);

@@ -144,9 +144,10 @@ Task<void> place_handles(Pace& pace, const ManifoldProduct& held, const Buffer<d
         for (uint32_t c = 0; c < held.given_ambient; ++c) square += handle.slope[c] * handle.slope[c];
         const double along = tangent_part(held, handle.slope, &given[size_t{handle.point} * n], tangent);
         if (!(along > least_part * std::sqrt(square)))
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "desc.handles[%u].slope stands upright on the manifold at point %u, so it has no direction there",
-                          handle.index, handle.point);
+            throw Failure(
+                FLG_ERROR_INVALID_ARGUMENT,
+                "desc.handles[%u].slope stands upright on the manifold at point %u, so it has no direction there",
+                handle.index, handle.point);
         std::copy_n(tangent, n, handle.slope);
     });
 }

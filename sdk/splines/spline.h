@@ -42,8 +42,8 @@ public:
         double largest_error = 0;  // m
     };
     Keys keys;
-    Buffer<double> offsets;      // how far they were from the manifold, m
-    Buffer<float> normals;       // 3 a node, of surfaces in R^3
+    Buffer<double> offsets;  // how far they were from the manifold, m
+    Buffer<float> normals;   // 3 a node, of surfaces in R^3
     // The curve over the mesh's triangles, where it was made.
     struct OnTriangles {
         explicit OnTriangles(Memory* memory) : bezier(memory) {}

@@ -70,8 +70,8 @@ double Stretch::error_after(uint32_t node) const {
         Vector exact{}, own{};
         curve_->evaluate(t, 0, exact.data());
         for (uint32_t c = 0; c < n_; ++c) {
-            own[c] = w * w * (1 + 2 * s) * p0_[c] + s * s * (1 + 2 * w) * p1_[c] +
-                     h * s * w * (w * m0_[c] - s * m1_[c]);
+            own[c] =
+                w * w * (1 + 2 * s) * p0_[c] + s * s * (1 + 2 * w) * p1_[c] + h * s * w * (w * m0_[c] - s * m1_[c]);
         }
         largest = std::max(largest, distance_between(exact.data(), own.data(), n_));
     }
@@ -132,7 +132,8 @@ Task<void> Stretch::add(Pace& pace, Stretch& s, bool periodic, double tolerance,
             waiting.pop_back();
             s.set_piece(range.from, range.to);
             double error = 0;
-            for (uint32_t node = range.from; range.to - range.from > 1 && node < range.to && error <= tolerance; ++node) {
+            for (uint32_t node = range.from; range.to - range.from > 1 && node < range.to && error <= tolerance;
+                 ++node) {
                 error = std::max(error, s.error_after(node));
                 if (slice.is_over()) co_await pace;
             }

@@ -205,10 +205,12 @@ Task<void> keep(Pace& pace, const Joined& joined, uint32_t first, double paramet
 
 }  // namespace
 
-Task<void> minimize_pieces(Pace& pace, const SplineRequest& request, SplineProblem& whole, uint32_t nodes, Spline& out) {
+Task<void> minimize_pieces(Pace& pace, const SplineRequest& request, SplineProblem& whole, uint32_t nodes,
+                           Spline& out) {
     const PieceSplitter splitter(request, whole);
     const auto at_first = static_cast<uint32_t>(whole.points.size() / whole.manifold->ambient());
-    const uint32_t first_intervals = whole.closed ? at_first : at_first - 1, intervals = whole.closed ? nodes : nodes - 1;
+    const uint32_t first_intervals = whole.closed ? at_first : at_first - 1,
+                   intervals = whole.closed ? nodes : nodes - 1;
     const auto share = [&](uint32_t node) {
         return static_cast<uint32_t>(uint64_t{node} * intervals / first_intervals);
     };

@@ -26,16 +26,20 @@ Task<double> lay_interval(Pace& pace, const Mesh& mesh, PathShortener& shortener
     if (walk.found) co_return walk.length;
     const GeodesicPath path = co_await shorten_way(pace, shortener, from, to, nullptr, out);
     if (!path.found)
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.spline: no way leads over the triangles from node %u to the next",
-                      node);
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.spline: no way leads over the triangles from node %u to the next", node);
     co_return path.length;
 }
 
 // Of the curve at a node.
 Vec3 direction_at(const Spline& spline, uint32_t node) {
     const auto nodes = static_cast<uint32_t>(spline.chain.nodes.size() / 3);
-    const uint32_t before = node > 0 ? node - 1 : spline.closed ? nodes - 1 : 0,
-                   after = node + 1 < nodes ? node + 1 : spline.closed ? 0 : node;
+    const uint32_t before = node > 0        ? node - 1
+                            : spline.closed ? nodes - 1
+                                            : 0,
+                   after = node + 1 < nodes ? node + 1
+                           : spline.closed  ? 0
+                                            : node;
     return Vec3(&spline.chain.nodes[size_t{3} * after]) - Vec3(&spline.chain.nodes[size_t{3} * before]);
 }
 

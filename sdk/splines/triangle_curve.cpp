@@ -94,8 +94,9 @@ Task<void> lay_triangle_curve(Pace& pace, const SplineRequest& request, const Sp
     const SurfaceBezier* const kept = can_keep ? &before->triangles->bezier : nullptr;
     const BezierResult result = co_await make_surface_bezier(pace, out.manifold->surface->mesh(), kept, curve);
     if (!result.found) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.points: no way leads over the surface from point %u to point %u",
-                      result.without_way, (result.without_way + 1) % static_cast<uint32_t>(curve.given.size()));
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.points: no way leads over the surface from point %u to point %u", result.without_way,
+                      (result.without_way + 1) % static_cast<uint32_t>(curve.given.size()));
     }
     if (!pace.job().partial_results) co_return;
     co_await copy_curve(pace, out, out.rounds.write());

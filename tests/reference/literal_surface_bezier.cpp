@@ -22,9 +22,7 @@ SurfacePath shortest(const Mesh& mesh, const SurfacePoint& from, const SurfacePo
     const GraphField field(geodesic_graph(mesh), seeds);
     const RegionSet all(memory);
     SurfaceCurves drawn(memory);
-    run_now(memory, [&](Pace& pace) {
-        return add_geodesic_path(pace, mesh, from, to, field.distances, all, drawn);
-    });
+    run_now(memory, [&](Pace& pace) { return add_geodesic_path(pace, mesh, from, to, field.distances, all, drawn); });
     SurfacePath path(memory);
     if (drawn.points.empty()) path.add(mesh, from);
     for (const SurfacePoint& point : drawn.points) path.add(mesh, point);
@@ -54,9 +52,7 @@ Vec3 way_to(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to) 
 
 SurfacePoint walked(const Mesh& mesh, const SurfacePoint& from, const Vec3& way) {
     SurfacePath path(memory);
-    run_now(memory, [&](Pace& pace) {
-        return walk_straight(pace, mesh, {from, way.normalized()}, way.norm(), path);
-    });
+    run_now(memory, [&](Pace& pace) { return walk_straight(pace, mesh, {from, way.normalized()}, way.norm(), path); });
     return path.points.back();
 }
 

@@ -102,9 +102,8 @@ TEST(SurfaceBezier, InThePlaneIsTheOrdinaryCurve) {
 TEST(SurfaceBezier, IsDeCasteljausConstructionToTheLetter) {
     for (const bool closed : {false, true}) {
         // Nowhere convex, so there is one locally shortest path.
-        const Mesh mesh = make_mesh(grid(12, 12, [](double x, double y) {
-            return Vec3(x, y, 3 * (x - 0.5) * (y - 0.5));
-        }));
+        const Mesh mesh =
+            make_mesh(grid(12, 12, [](double x, double y) { return Vec3(x, y, 3 * (x - 0.5) * (y - 0.5)); }));
         const std::vector<SurfacePoint> given = {inside(100), inside(62), inside(180, 0.5f, 0.2f), inside(207)};
         const Made made = make(mesh, given, closed, 3);
         ASSERT_TRUE(made.result.found);
@@ -189,7 +188,8 @@ TEST(SurfaceBezier, KeepsSegmentsFarFromADraggedPoint) {
 
 TEST(SurfaceBezier, SaysBetweenWhichPointsThereIsNoWay) {
     Soup soup = sphere(0);
-    const auto first = static_cast<uint32_t>(soup.positions.size()), triangles = static_cast<uint32_t>(soup.triangles.size());
+    const auto first = static_cast<uint32_t>(soup.positions.size()),
+               triangles = static_cast<uint32_t>(soup.triangles.size());
     for (const Position& p : sphere(0).positions) soup.positions.push_back({p[0] + 5, p[1], p[2]});
     for (const Triple& t : sphere(0).triangles) soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     const Mesh mesh = make_mesh(soup);

@@ -19,11 +19,15 @@
 namespace flg::cli {
 namespace {
 
+enum class Fit { none, bezier, hermite };
+
 struct Options {
-    std::string surface, points, output, obstacles;
+    std::string surface, points, output, obstacles, fit_output;
+    Fit fit = Fit::none;
+    double fit_tolerance = 1e-3;
+    std::vector<uint32_t> corners;
     FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
-    double tension = 1, smoothing = 0, smoothing_scale = 0, tolerance = 1e-6, feature = 0, layer = 0,
-           offset = 0;
+    double tension = 1, smoothing = 0, smoothing_scale = 0, tolerance = 1e-6, feature = 0, layer = 0, offset = 0;
     float height = 0;
     uint32_t nodes = 0, rounds = 200;
     bool closed = false, inside = false, over_triangles = false, on_mesh = false;
@@ -38,6 +42,10 @@ const std::map<std::string, FlgSplineEnergy>& energy_names() {
 const std::map<std::string, FlgSplineStart>& start_names() {
     static const std::map<std::string, FlgSplineStart> names = {{"geodesic", FLG_SPLINE_START_GEODESIC},
                                                                 {"projected", FLG_SPLINE_START_PROJECTED}};
+    return names;
+}
+const std::map<std::string, Fit>& fit_names() {
+    static const std::map<std::string, Fit> names = {{"bezier", Fit::bezier}, {"hermite", Fit::hermite}};
     return names;
 }
 const char* ending_name(FlgSplineEnding ending) {
@@ -80,6 +88,14 @@ Made make_one(Session& session, const Options& options, const SplineManifold& ma
     desc.node_count = options.nodes;
     desc.max_rounds = options.rounds;
     desc.start = options.start;
+    std::vector<FlgSplineHandle> corners;
+    for (const uint32_t point : options.corners) {
+        corners.push_back(flgSplineHandleDefaults());
+        corners.back().point = point;
+    }
+    desc.handles = corners.data();
+    desc.handle_count = static_cast<uint32_t>(corners.size());
+    if (options.fit != Fit::none) desc.key_tolerance = options.fit_tolerance;
     desc.on_triangles = options.over_triangles;
     desc.surface_points = options.on_mesh;
     if (obstacles) {
@@ -184,6 +200,59 @@ void write_output(Session& session, std::vector<Drawn> all, const Options& optio
     write_curves(session.context(), create_set(session.context(), lines, options.output), options.output);
 }
 
+// A number list for each point of a row.
+nlohmann::ordered_json rows_of(const std::vector<double>& numbers, uint32_t width) {
+    auto rows = nlohmann::ordered_json::array();
+    for (size_t i = 0; i < numbers.size(); i += width)
+        rows.push_back(std::vector<double>(numbers.begin() + static_cast<std::ptrdiff_t>(i),
+                                           numbers.begin() + static_cast<std::ptrdiff_t>(i + width)));
+    return rows;
+}
+
+// A curve's keys, or the control points of its Bezier pieces, each piece beginning with the last point of the one
+// before.
+nlohmann::ordered_json fitted(const FlgSplineView& view, Fit fit) {
+    const uint32_t n = view.ambient;
+    const size_t count = size_t{n} * view.key_count;
+    std::vector<double> points(view.key_points, view.key_points + count);
+    for (size_t i = 0; i < count && n == 3; ++i) points[i] += view.origin[i % 3];
+    nlohmann::ordered_json json = {
+        {"closed", view.closed != 0},
+        {"largest_error", view.largest_key_error},
+        {"parameters", std::vector<double>(view.key_parameters, view.key_parameters + view.key_count)}};
+    if (fit == Fit::hermite) {
+        json["points"] = rows_of(points, n);
+        json["arriving"] = rows_of({view.key_arriving, view.key_arriving + count}, n);
+        json["leaving"] = rows_of({view.key_leaving, view.key_leaving + count}, n);
+        return json;
+    }
+    std::vector<double> control(points.begin(), points.begin() + n);
+    for (uint32_t k = 0; k + 1 < view.key_count; ++k) {
+        const double third = (view.key_parameters[k + 1] - view.key_parameters[k]) / 3;
+        const size_t at = size_t{n} * k, next = at + n;
+        for (uint32_t c = 0; c < n; ++c) control.push_back(points[at + c] + third * view.key_leaving[at + c]);
+        for (uint32_t c = 0; c < n; ++c) control.push_back(points[next + c] - third * view.key_arriving[next + c]);
+        for (uint32_t c = 0; c < n; ++c) control.push_back(points[next + c]);
+    }
+    json["control_points"] = rows_of(control, n);
+    return json;
+}
+
+void write_fit(const std::vector<Made>& all, const Options& options, Report& report) {
+    auto curves = nlohmann::ordered_json::array();
+    uint32_t keys = 0;
+    double error = 0;
+    for (const Made& made : all) {
+        curves.push_back(fitted(made.view, options.fit));
+        keys += made.view.key_count;
+        error = std::max(error, made.view.largest_key_error);
+    }
+    report.counts["keys"] = keys;
+    report.quality["largest_fit_error"] = error;
+    const nlohmann::ordered_json file = {{"fit", name_of(fit_names(), options.fit)}, {"curves", std::move(curves)}};
+    write_text_file(options.fit_output, file.dump(1) + "\n");
+}
+
 void describe(const Options& options, Report& report) {
     report.parameters["surface"] = options.surface;
     report.parameters["points"] = options.points;
@@ -200,6 +269,9 @@ void describe(const Options& options, Report& report) {
 void run_spline(const Options& options, const CommonOptions& common) {
     require_curve_output(options.output);
     require_writable(common.report);
+    if ((options.fit != Fit::none) != !options.fit_output.empty())
+        throw UsageError("--fit and --fit-output go together");
+    if (options.fit != Fit::none) require_writable(options.fit_output);
     Report report("spline", common);
     describe(options, report);
     Session session(common);
@@ -214,7 +286,8 @@ void run_spline(const Options& options, const CommonOptions& common) {
     if (among || border)
         obstacles =
             read_obstacles(session, options.obstacles, manifold.view.ambient, report, border ? &*border : nullptr);
-    if (options.on_mesh && !manifold.mesh) throw UsageError("--on-mesh: SURFACE must be a mesh, not " + options.surface);
+    if (options.on_mesh && !manifold.mesh)
+        throw UsageError("--on-mesh: SURFACE must be a mesh, not " + options.surface);
     if (options.offset != 0 && !options.on_mesh) throw UsageError("--offset needs --on-mesh");
     std::vector<Made> all;
     std::vector<Drawn> drawn;
@@ -224,7 +297,8 @@ void run_spline(const Options& options, const CommonOptions& common) {
         all.push_back(make_one(session, options, manifold, obstacles ? &*obstacles : nullptr, lines, line, report));
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
-        drawn.push_back(options.on_mesh ? trace_of(session, *manifold.mesh, all.back(), options.offset, report) : nodes_of(view));
+        drawn.push_back(options.on_mesh ? trace_of(session, *manifold.mesh, all.back(), options.offset, report)
+                                        : nodes_of(view));
         nodes += static_cast<uint32_t>(drawn.back().places.size());
         moved = std::max(moved, view.largest_moved);
         held += view.held_count;
@@ -268,6 +342,7 @@ void run_spline(const Options& options, const CommonOptions& common) {
     report.quality["length"] = length;
     report.quality["largest_offset"] = offset;
     if (options.on_mesh) report.quality["largest_moved"] = moved;
+    if (options.fit != Fit::none) write_fit(all, options, report);
     write_output(session, std::move(drawn), options);
     report.write();
 }
@@ -315,12 +390,24 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
     app->add_option("--feature", o->feature, "Weight of the normals (metres): keeps the curve off creases; 0: none")
         ->check(at_least_zero())
         ->capture_default_str();
+    app->add_option("--corners", o->corners, "Points, counted from 0, where the curve may have a corner: 2,5")
+        ->delimiter(',')
+        ->type_name("N,...");
+    add_choice(*app, "--fit", o->fit, fit_names(),
+               "Also writes the curve as few cubic pieces: Bezier's control points, or keys with derivatives as glTF's "
+               "CUBICSPLINE has them");
+    app->add_option("--fit-tolerance", o->fit_tolerance, "How far these may be from the curve (metres)")
+        ->check(above_zero())
+        ->capture_default_str();
+    app->add_option("--fit-output", o->fit_output, "Where they are written")->type_name("FILE.json");
     app->add_flag("--over-triangles", o->over_triangles,
                   "Of a mesh: a curve over its triangles, made at once, in place of the one of least energy");
-    app->add_flag("--on-mesh", o->on_mesh,
-                  "Of a mesh: lays the result onto its triangles, so that it can be cut in; the report says how far its "
-                  "points moved");
-    app->add_option("--offset", o->offset, "With --on-mesh: a curve so far to the left of it (metres), over the triangles")
+    app->add_flag(
+        "--on-mesh", o->on_mesh,
+        "Of a mesh: lays the result onto its triangles, so that it can be cut in; the report says how far its "
+        "points moved");
+    app->add_option("--offset", o->offset,
+                    "With --on-mesh: a curve so far to the left of it (metres), over the triangles")
         ->check(finite())
         ->capture_default_str();
     app->add_flag("--inside", o->inside, "Of an open mesh: keeps the curve between its borders");

@@ -23,7 +23,7 @@ public:
     std::shared_ptr<const Manifold> manifold;     // there once the job that makes it is done
     // A mesh that it is made of, for first curves along it where projected chords do not lead there; or null.
     std::shared_ptr<Surface> surface;
-    Buffer<uint32_t> components;  // of its vertices; empty if it is all of one piece
+    Buffer<uint32_t> components;           // of its vertices; empty if it is all of one piece
     std::optional<NearestPoints> nearest;  // of its triangles, as many as there were
     uint32_t nearest_triangles = 0;
     // How far vertices or points it is made of are from it, at most and root mean square, m; 0 where it is exact.

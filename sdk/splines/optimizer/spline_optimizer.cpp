@@ -622,7 +622,8 @@ void SplineOptimizer::assemble(uint32_t node) {
     const double pull = pull_at(node);
     double taut = tension_ * stiffness;
     if (tension_shares_.size() > 0) {
-        taut = (before > 0 ? tension_after(previous(node)) / before : 0) + (after > 0 ? tension_after(node) / after : 0);
+        taut =
+            (before > 0 ? tension_after(previous(node)) / before : 0) + (after > 0 ? tension_after(node) / after : 0);
     }
     double form[Manifold::max_dimension * Manifold::max_dimension];
     if (free) {

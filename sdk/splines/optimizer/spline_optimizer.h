@@ -101,15 +101,15 @@ private:
 struct SplineProblem {
     const Manifold* manifold = nullptr;
     bool closed = false;
-    double bending = 1;      // 1, or 0 for E1
-    double tension = 0;      // w, at least 0; above 0 if bending is 0
-    double smoothing = 0;    // 0: the given points are interpolated
+    double bending = 1;       // 1, or 0 for E1
+    double tension = 0;       // w, at least 0; above 0 if bending is 0
+    double smoothing = 0;     // 0: the given points are interpolated
     Buffer<double> softness;  // one a knot, in place of `smoothing`; empty: that of all
     Buffer<double> tensions;  // one a segment: shares of `tension`, at least 0; empty: 1
-    Buffer<double> points;   // the first curve, n numbers a node; at least 2 nodes, in a closed curve 3
-    Buffer<double> hints;    // of the nodes (Manifold::hint_size()), from where they were before; may be empty
-    Buffer<uint32_t> knots;  // ascending: the nodes of given points; the first is 0, and an open curve's last the last
-    Buffer<double> given;    // n numbers a knot, on the manifold
+    Buffer<double> points;    // the first curve, n numbers a node; at least 2 nodes, in a closed curve 3
+    Buffer<double> hints;     // of the nodes (Manifold::hint_size()), from where they were before; may be empty
+    Buffer<uint32_t> knots;   // ascending: the nodes of given points; the first is 0, and an open curve's last the last
+    Buffer<double> given;     // n numbers a knot, on the manifold
     Buffer<double> parameters;  // one a knot, in a closed curve one more; ascending. Empty: lengths
     Buffer<double> shares;      // one an interval, of its segment's parameters; empty: those of a segment are equal
     // Open curves: whether the derivative is prescribed at the first, the last point.

@@ -44,9 +44,9 @@ private:
 
     const Mesh& mesh_;
     Vec3 lower_ = Vec3::Zero(), upper_ = Vec3::Zero();
-    double reach_ = 0;  // metres: the farthest that a triangle reaches from its middle
-    double size_ = 1;   // metres, of a cell
-    Cell cells_{};      // so many along each axis
+    double reach_ = 0;                       // metres: the farthest that a triangle reaches from its middle
+    double size_ = 1;                        // metres, of a cell
+    Cell cells_{};                           // so many along each axis
     std::shared_ptr<const Groups> of_cell_;  // triangles, by the cell of their middle
 
     Vec3 place_ = Vec3::Zero();

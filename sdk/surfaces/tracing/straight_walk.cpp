@@ -13,7 +13,7 @@ namespace flg {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double least_share = 1e-5;  // of an edge: walks cross it so far from its ends
+constexpr double least_share = 1e-5;   // of an edge: walks cross it so far from its ends
 constexpr double border_angle = 1e-3;  // radians: how directions along a border lead into the surface
 constexpr uint32_t no_edge = 3;
 
@@ -142,8 +142,8 @@ Task<void> walk_straight(Pace& pace, const Mesh& mesh, SurfaceRay ray, double le
         const Vec3 edge = edge_vector(mesh, across).stableNormalized();
         const double along = direction.dot(edge);
         triangle = triangle_of(across);
-        direction = along * edge +
-                    std::sqrt(std::max(0.0, 1 - along * along)) * triangle_normal(mesh, triangle).cross(edge);
+        direction =
+            along * edge + std::sqrt(std::max(0.0, 1 - along * along)) * triangle_normal(mesh, triangle).cross(edge);
         entry = across % 3;
         weights = weights_of(point);
         if (slice.is_over(2)) co_await pace;

@@ -27,9 +27,8 @@ size_t stretch_at(const SurfacePath& path, double length) {
 }  // namespace
 
 void SurfacePath::add(const Mesh& mesh, const SurfacePoint& point) {
-    lengths.push_back(points.empty()
-                          ? 0
-                          : lengths.back() + (position_of(mesh, point) - position_of(mesh, points.back())).norm());
+    lengths.push_back(
+        points.empty() ? 0 : lengths.back() + (position_of(mesh, point) - position_of(mesh, points.back())).norm());
     points.push_back(point);
 }
 
