@@ -245,6 +245,7 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         read_parameters(read, request.problem, memory);
         read_handles(read, ambient, request, memory);
         read_local(read, request.problem, memory);
+        check_range(read.reserved == 0, "desc.reserved", read.reserved, "0");
         check_range(read.key_tolerance >= 0 && read.key_tolerance <= 1e30, "desc.key_tolerance", read.key_tolerance,
                     "0 to 1e30");
         read_obstacles(self, read, *manifold, request, submission);

@@ -8,8 +8,8 @@
 
 namespace flg {
 
-// Makes out.keys of its chain. `breaks_everywhere`: the curve may have a corner at each given point. About 200 ns a node
-// each time that pieces are halved.
+// Makes out.keys of its chain. `breaks_everywhere`: the curve may have a corner at each given point. About 200 ns a
+// node each time that pieces are halved.
 Task<void> fit_keys(Pace& pace, double tolerance, bool breaks_everywhere, Spline& out);
 
 }  // namespace flg

@@ -1562,7 +1562,7 @@ struct SplineView {
     Span<const double> key_arriving;
     /// likewise after it: the same but at handles and, with E1, at given points
     Span<const double> key_leaving;
-    /// metres: the largest distance of the pieces from the cubic spline through the nodes
+    /// metres: the pieces' largest distance from the cubic spline through the nodes
     double largest_key_error{};
 
     /// Empty.

@@ -297,9 +297,9 @@ typedef enum FlgSplineStart {
 typedef struct FlgSplineHandle {
     uint32_t struct_size; /* the same of all handles of a spline */
     uint32_t point;       /* the given point's index */
-    const double* slope;  /* ambient numbers, not all 0: the derivative by the parameter there, of which the part tangent
-                             to the manifold counts. Null: the curve may have a corner there, as two splines that share
-                             the point. Default null */
+    const double* slope;  /* ambient numbers, not all 0: the derivative by the parameter there, of which the part
+                             tangent to the manifold counts. Null: the curve may have a corner there, as two splines
+                             that share the point. Default null */
 } FlgSplineHandle;
 
 FLG_API FlgResult flgSplineHandleInit(FlgSplineHandle* handle, uint32_t struct_size);
@@ -361,9 +361,10 @@ typedef struct FlgSplineDesc {
                                 what belongs to it count for nothing. Refused together with obstacles. Default 0 */
     uint32_t surface_points; /* nonzero: the view gives, for each node, the nearest point of the mesh's triangles. The
                                 manifold must be that of a mesh. Default 0 */
-    const FlgSplineHandle* handles; /* in any order, one at most per point. Between them the spline is minimized piece by
-                                       piece, and its rounds are not shown; points with a handle are passed exactly,
-                                       whatever the smoothing. Refused together with obstacles or `curve`. Default null */
+    const FlgSplineHandle* handles; /* in any order, one at most per point. Between them the spline is minimized piece
+                                       by piece, and its rounds are not shown; points with a handle are passed exactly,
+                                       whatever the smoothing. Refused together with obstacles or `curve`. Default
+                                       null */
     uint32_t handle_count;
     uint32_t reserved;
     const double* softness; /* one per point: its own `smoothing`, from 0 (passes through) to 1e30. Refused together
@@ -448,7 +449,7 @@ typedef struct FlgSplineView {
     const double* key_points;     /* n per key */
     const double* key_arriving;   /* n per key: the derivative by the parameter before it */
     const double* key_leaving;    /* likewise after it: the same but at handles and, with E1, at given points */
-    double largest_key_error;     /* metres: the largest distance of the pieces from the cubic spline through the nodes */
+    double largest_key_error;     /* metres: the pieces' largest distance from the cubic spline through the nodes */
 } FlgSplineView;
 
 FLG_API FlgResult flgSplineViewInit(FlgSplineView* view, uint32_t struct_size);

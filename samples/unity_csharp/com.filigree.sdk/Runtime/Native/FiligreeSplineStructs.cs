@@ -497,7 +497,7 @@ namespace Filigree
         public double* key_arriving;
         /// <summary>likewise after it: the same but at handles and, with E1, at given points</summary>
         public double* key_leaving;
-        /// <summary>metres: the largest distance of the pieces from the cubic spline through the nodes</summary>
+        /// <summary>metres: the pieces' largest distance from the cubic spline through the nodes</summary>
         public double largest_key_error;
     }
 
