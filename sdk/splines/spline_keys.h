@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Splines as few cubic pieces, for engines: Hermite keys, as animation tracks have them (glTF's CUBICSPLINE), from
-// which Bezier's points are a third of a step away. A key at each given point, and more, halving, until each piece is within
-// the tolerance of the cubic spline through the nodes.
+// Splines as few cubic pieces, for engines: Hermite keys, as animation tracks have them (glTF's CUBICSPLINE). From
+// these Bezier's points are a third of a step away. There is a key at each given point, and there are more, halving,
+// until each piece is within the tolerance of the cubic spline through the nodes.
 #pragma once
 
 #include "splines/spline.h"
