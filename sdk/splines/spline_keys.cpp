@@ -2,7 +2,7 @@
 #include "splines/spline_keys.h"
 
 #include <algorithm>
-#include <cmath>
+#include <deque>
 
 #include "splines/manifolds/coordinates.h"
 #include "splines/optimizer/natural_cubic.h"
@@ -16,7 +16,7 @@ using Vector = std::array<double, Manifold::max_ambient>;
 // A key as it grows: value, derivatives before and after it.
 struct Keys {
     explicit Keys(Memory* memory) : parameters(memory), points(memory), arriving(memory), leaving(memory) {}
-    std::pmr::vector<double> parameters, points, arriving, leaving;
+    std::pmr::deque<double> parameters, points, arriving, leaving;
     double largest_error = 0;
 };
 
@@ -79,7 +79,7 @@ double Stretch::error_after(uint32_t node) const {
 }
 
 void Stretch::push(Keys& keys) const {
-    const auto add = [this](std::pmr::vector<double>& to, const Vector& from) {
+    const auto add = [this](std::pmr::deque<double>& to, const Vector& from) {
         to.insert(to.end(), from.begin(), from.begin() + n_);
     };
     if (keys.parameters.empty()) {
@@ -98,6 +98,8 @@ void Stretch::push(Keys& keys) const {
 
 Task<void> Stretch::add(Pace& pace, Stretch& s, bool periodic, double tolerance, Keys& keys) {
     const uint32_t last = periodic ? s.end_ - 1 : s.end_;
+    s.times_.reserve(s.end_ - s.begin_ + 1);
+    s.values_.reserve(size_t{last - s.begin_ + 1} * s.n_);
     co_await each(pace, s.end_ - s.begin_ + 1, Cost::tens_of_ns, [&s, last](uint32_t i) {
         const uint32_t node = s.begin_ + i;
         s.times_.push_back(s.time_at(node));
@@ -115,6 +117,7 @@ Task<void> Stretch::add(Pace& pace, Stretch& s, bool periodic, double tolerance,
     std::pmr::vector<Range> waiting(pace.memory());
     const Buffer<uint32_t>& knots = s.spline_.knots;
     std::pmr::vector<uint32_t> stops(pace.memory());
+    stops.reserve(knots.size() + 1);
     for (const uint32_t node : {0u, s.nodes_}) {
         co_await each(pace, knots.size(), Cost::some_ns, [&](uint32_t k) {
             const uint32_t at = knots[k] + node;
@@ -156,6 +159,7 @@ Task<void> fit_keys(Pace& pace, double tolerance, bool breaks_everywhere, Spline
     const Buffer<uint32_t>& breaks = breaks_everywhere ? out.knots : out.breaks;
     Keys keys(pace.memory());
     std::pmr::vector<uint32_t> ends(pace.memory());
+    ends.reserve(breaks.size() + 2);
     if (!out.closed) ends.push_back(0);
     co_await each(pace, breaks.size(), Cost::some_ns, [&](uint32_t b) {
         if (out.closed || (breaks[b] > 0 && breaks[b] + 1 < nodes)) ends.push_back(breaks[b]);
@@ -174,7 +178,7 @@ Task<void> fit_keys(Pace& pace, double tolerance, bool breaks_everywhere, Spline
     }
     Spline::Keys& kept = out.keys;
     kept.largest_error = keys.largest_error;
-    const auto copy = [&](const std::pmr::vector<double>& from, Buffer<double>& to) {
+    const auto copy = [&](const std::pmr::deque<double>& from, Buffer<double>& to) {
         to = Buffer<double>(from.size(), pace.memory());
         return each(pace, from.size(), Cost::some_ns, [&from, &to](uint32_t i) { to[i] = from[i]; });
     };

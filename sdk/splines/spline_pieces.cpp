@@ -2,7 +2,7 @@
 #include "splines/spline_pieces.h"
 
 #include <algorithm>
-#include <cmath>
+#include <deque>
 
 namespace flg {
 
@@ -16,6 +16,7 @@ struct Piece {
 
 std::pmr::vector<Piece> pieces_of(const SplineRequest& request, uint32_t count, Memory* memory) {
     std::pmr::vector<Piece> pieces(memory);
+    pieces.reserve(request.handles.size() + 1);
     const auto& handles = request.handles;
     const bool closed = request.problem.closed;
     uint32_t from = 0;
@@ -44,9 +45,10 @@ struct Joined {
     explicit Joined(Memory* memory)
         : points(memory), hints(memory), nodes(memory), steps(memory), normals(memory), knots(memory), held(memory) {}
 
-    std::pmr::vector<double> points, hints, nodes, steps;
-    std::pmr::vector<float> normals;
-    std::pmr::vector<uint32_t> knots, held;
+    // Deques grow without moving what is there.
+    std::pmr::deque<double> points, hints, nodes, steps;
+    std::pmr::deque<float> normals;
+    std::pmr::deque<uint32_t> knots, held;
     uint32_t count = 0;
 };
 
@@ -177,7 +179,8 @@ Task<void> keep(Pace& pace, const Joined& joined, uint32_t first, double paramet
         const size_t width = from.size() / count;
         to = std::remove_reference_t<decltype(to)>(from.size(), pace.memory());
         return each(pace, count, Cost::tens_of_ns, [&from, &to, width, first, count](uint32_t i) {
-            std::copy_n(from.data() + (i + first) % count * width, width, to.data() + i * width);
+            const auto begin = static_cast<std::ptrdiff_t>((i + first) % count * width);
+            std::copy_n(from.begin() + begin, width, to.data() + i * width);
         });
     };
     co_await copy(joined.points, out.points);
@@ -191,7 +194,7 @@ Task<void> keep(Pace& pace, const Joined& joined, uint32_t first, double paramet
         if (interval < joined.steps.size()) parameter += joined.steps[interval];
     });
     out.chain.parameters[count] = parameter;
-    const auto sort_in = [&](const std::pmr::vector<uint32_t>& from, Buffer<uint32_t>& to) {
+    const auto sort_in = [&](const std::pmr::deque<uint32_t>& from, Buffer<uint32_t>& to) {
         const auto begin = std::lower_bound(from.begin(), from.end(), first) - from.begin();
         to = Buffer<uint32_t>(from.size(), pace.memory());
         return each(pace, from.size(), Cost::some_ns, [&from, &to, begin, first, count](uint32_t k) {
