@@ -36,7 +36,7 @@ FlgSpline fit(Calls& calls, FlgManifold manifold, FlgSpline warm_start = {}) {
 }
 
 // With a tangent at a point, another that is soft, and as few cubic pieces.
-FlgSpline shape(Calls& calls, FlgManifold manifold) {
+FlgSpline fit_shaped(Calls& calls, FlgManifold manifold) {
     const std::vector<double> points = {1, 0.1, 0.1, 0.2, 0.9, 0.3, -0.6, 0.5, 0.6, -0.5, -0.5, 0.5};
     const double slope[3] = {1, 0.2, -0.4}, softness[4] = {0, 0, 0.1, 0};
     FlgSplineHandle handle = FLG_INIT(calls, flgSplineHandleInit);
@@ -150,7 +150,7 @@ void fit_splines(Calls& calls) {
         const FlgManifold manifold = make_shape(calls, shape);
         const FlgSpline spline = fit(calls, manifold);
         const FlgSpline warm = fit(calls, manifold, spline);
-        const FlgSpline shaped = shape(calls, manifold);
+        const FlgSpline shaped = fit_shaped(calls, manifold);
         FlgSplineSampleDesc curves = FLG_INIT(calls, flgSplineSampleDescInit);
         curves.spline = warm;
         FlgCurveSet set{};
