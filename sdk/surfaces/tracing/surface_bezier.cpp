@@ -251,7 +251,7 @@ Task<BezierResult> make_all(Pace& pace, BezierMaker& m) {
     m.out_.nodes.reserve(size_t{segments} * intervals + 1);
     for (uint32_t s = 0; s < segments; ++s) {
         if (m.copies(s)) {
-            const auto begin = m.before_->nodes.begin() + size_t{s} * intervals;
+            const auto begin = m.before_->nodes.begin() + static_cast<std::ptrdiff_t>(size_t{s} * intervals);
             m.out_.nodes.insert(m.out_.nodes.end(), begin, begin + intervals);
             co_await pace;
             continue;
