@@ -68,6 +68,8 @@ FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFrom
         held->surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(held->surface, "desc.surface");
         held->origin = held->surface->origin;
+        // For the first curves of splines, which so need not wait.
+        start_blocks(self, held->surface);
         submission.job().strand.start(make_mesh_manifold(submission.pace(), read.smoothing_scale, held));
         *out_manifold = {submission.commit(self.manifolds, held, out_job)};
     });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Splines: made, shown, copied into curve sets, released.
-#include "splines/spline.h"
-
+#include <algorithm>
 #include <cmath>
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
 #include "api/surface_inputs.h"
+#include "splines/surface_trace.h"
 
 namespace flg {
 
@@ -112,6 +112,63 @@ void read_curve(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& requ
     request.curve = read_numbers(desc.curve, size_t{desc.curve_count} * ambient, "desc.curve", memory);
 }
 
+void read_handles(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& request, Memory* memory) {
+    if (desc.handle_count == 0) return;
+    require(desc.handles, "desc.handles");
+    if (desc.curve || desc.obstacles.id != 0)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.handles can't be given together with desc.%s",
+                      desc.curve ? "curve" : "obstacles");
+    check_range(desc.handle_count <= desc.point_count, "desc.handle_count", desc.handle_count,
+                "at most desc.point_count");
+    request.handles = Buffer<SplineHandle>(desc.handle_count, memory);
+    for (uint32_t h = 0; h < desc.handle_count; ++h) {
+        const FlgSplineHandle handle = read_element(desc.handles, h, sized<FlgSplineHandle>(), "handle");
+        SplineHandle& out = request.handles[h] = SplineHandle{.point = handle.point, .index = h};
+        if (handle.point >= desc.point_count)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.handles[%u].point is %u, must be below desc.point_count, %u", h, handle.point,
+                          desc.point_count);
+        if (!handle.slope) continue;
+        char name[64];
+        std::snprintf(name, sizeof name, "desc.handles[%u].slope", h);
+        const Buffer<double> slope = read_numbers(handle.slope, ambient, name, memory);
+        std::copy_n(slope.data(), ambient, out.slope);
+        out.has_slope = true;
+        if (std::all_of(slope.begin(), slope.end(), [](double x) { return x == 0; }))
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "%s is 0, so it has no direction; a corner is a handle whose slope is null", name);
+    }
+    std::sort(request.handles.begin(), request.handles.end(), [](const SplineHandle& a, const SplineHandle& b) {
+        return a.point != b.point ? a.point < b.point : a.index < b.index;
+    });
+    for (uint32_t h = 1; h < desc.handle_count; ++h) {
+        if (request.handles[h].point != request.handles[h - 1].point) continue;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.handles[%u] and desc.handles[%u] are both at point %u",
+                      request.handles[h - 1].index, request.handles[h].index, request.handles[h].point);
+    }
+}
+
+// Smoothings of points, tensions of segments.
+void read_local(const FlgSplineDesc& desc, SplineProblem& problem, Memory* memory) {
+    const auto read = [&](const double* from, size_t count, const char* name, double most, const char* range) {
+        if (desc.obstacles.id != 0)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s can't be given together with desc.obstacles", name);
+        Buffer<double> out = read_numbers(from, count, name, memory);
+        for (size_t i = 0; i < count; ++i) {
+            char element[64];
+            std::snprintf(element, sizeof element, "%s[%zu]", name, i);
+            check_range(out[i] >= 0 && out[i] <= most, element, out[i], range);
+        }
+        return out;
+    };
+    if (desc.softness) problem.softness = read(desc.softness, desc.point_count, "desc.softness", 1e30, "0 to 1e30");
+    if (!desc.tensions) return;
+    if (desc.energy != FLG_SPLINE_ENERGY_ET)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.tensions: desc.energy must be FLG_SPLINE_ENERGY_ET");
+    const size_t segments = desc.point_count - (problem.closed ? 0 : 1);
+    problem.tensions = read(desc.tensions, segments, "desc.tensions", 1e12, "0 to 1e12");
+}
+
 void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldProduct& manifold,
                     SplineRequest& request, Submission& submission) {
     if (desc.obstacles.id == 0) return;
@@ -129,6 +186,8 @@ void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldP
             dimension);
     }
     if (desc.curve) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.curve can't be given together with desc.obstacles");
+    if (desc.on_triangles)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.on_triangles can't be given together with desc.obstacles");
     check_range(desc.obstacle_radius >= 1e-5 && desc.obstacle_radius <= 0.1, "desc.obstacle_radius",
                 desc.obstacle_radius, "1e-5 to 0.1");
     if (desc.side_count > 0) require(desc.sides, "desc.sides");
@@ -163,6 +222,10 @@ FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size) {
     return init(desc, struct_size, default_spline_desc());
 }
 
+FlgResult flgSplineHandleInit(FlgSplineHandle* handle, uint32_t struct_size) {
+    return init(handle, struct_size, sized<FlgSplineHandle>());
+}
+
 FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_spline, "out_spline", out_job);
@@ -180,6 +243,11 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         read_curve(read, ambient, request, memory);
         check_subdivisions(read);
         read_parameters(read, request.problem, memory);
+        read_handles(read, ambient, request, memory);
+        read_local(read, request.problem, memory);
+        check_range(read.reserved == 0, "desc.reserved", read.reserved, "0");
+        check_range(read.key_tolerance >= 0 && read.key_tolerance <= 1e30, "desc.key_tolerance", read.key_tolerance,
+                    "0 to 1e30");
         read_obstacles(self, read, *manifold, request, submission);
         request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", memory);
         const Origin given = read_origin_in(ambient, read.origin, "desc.origin");
@@ -212,6 +280,29 @@ FlgResult flgSplineViewInit(FlgSplineView* view, uint32_t struct_size) {
 
 FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view) {
     return get_view(out_view, [&] { return get_context(context).splines.get(spline.id, "spline"); });
+}
+
+FlgResult flgSplineTraceDescInit(FlgSplineTraceDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgSplineTraceDesc>());
+}
+
+FlgResult flgSplineTrace(FlgContext context, const FlgSplineTraceDesc* desc, FlgSurfaceCurves* out_curves,
+                         FlgJob* out_job) {
+    return guarded([&] {
+        Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        const FlgSplineTraceDesc read = read_struct(desc, sized<FlgSplineTraceDesc>(), "desc");
+        Submission submission(self, read.job);
+        const auto spline = self.splines.get(read.spline.id, "desc.spline");
+        if (!spline->manifold->surface)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.spline is not on the manifold of a mesh");
+        submission.read(*spline, "desc.spline");
+        submission.read_surface(spline->manifold->surface, "the surface of desc.spline");
+        const auto out = self.make(self.surface_curves, spline->manifold->surface);
+        check_range(is_coordinate(static_cast<float>(read.offset)), "desc.offset", read.offset,
+                    "finite and at most 1e30 in size");
+        submission.job().strand.start(trace_spline(submission.pace(), spline, read.offset, out));
+        *out_curves = {submission.commit(self.surface_curves, out, out_job)};
+    });
 }
 
 FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint32_t struct_size) {

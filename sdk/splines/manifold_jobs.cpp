@@ -23,6 +23,9 @@ Task<void> make_mesh_manifold(Pace& pace, double smoothing_scale, std::shared_pt
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.surface has no triangles");
     MeshComponents components = co_await find_components(pace, out->surface->mesh());
     if (components.count > 1) out->components = std::move(components.of_vertex);
+    out->nearest.emplace(out->surface->mesh());
+    co_await build(pace, *out->nearest);
+    out->nearest_triangles = out->surface->mesh().triangle_count();
     SampledSurface sampled = co_await sample_mesh(pace, out->surface->mesh(), smoothing_scale);
     out->largest_deviation = sampled.deviation.largest;
     out->mean_deviation = sampled.deviation.mean();

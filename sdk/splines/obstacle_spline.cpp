@@ -416,7 +416,6 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     }
     problem.manifold = held.manifold.get();
     out.knots = std::move(problem.knots);
-    out.is_complete = true;
 }
 
 }  // namespace flg

@@ -8,6 +8,10 @@
 #include "core/failure.h"
 #include "core/float_precision.h"
 #include "splines/manifolds/coordinates.h"
+#include "splines/spline_keys.h"
+#include "splines/spline_pieces.h"
+#include "splines/surface_trace.h"
+#include "splines/triangle_curve.h"
 
 namespace flg {
 
@@ -42,6 +46,7 @@ Task<void> copy_chain(Pace& pace, const SplineOptimizer& optimizer, const Spline
     });
     out.parameters[nodes] = parameter;
     out.report = optimizer.report();
+    out.on_triangles = false;
 }
 
 }  // namespace
@@ -55,9 +60,9 @@ Task<void> run_optimizer(Pace& pace, SplineOptimizer& optimizer, Spline& spline)
         spline.rounds.hand_over();
     }
     if (optimizer.report().ending == SplineEnding::failed) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "the first curve can't be projected onto the manifold at its node %u of %u",
-                      optimizer.report().failed_node, optimizer.nodes());
+        throw OffSurface(Failure(FLG_ERROR_INVALID_ARGUMENT,
+                                 "the first curve can't be projected onto the manifold at its node %u of %u",
+                                 optimizer.report().failed_node, optimizer.nodes()));
     }
 }
 
@@ -77,7 +82,8 @@ Task<void> place_spline_points(Pace& pace, const ManifoldProduct& held, const Bu
         const bool is_on = manifold.project(x, hint.data());
         const double offset = distance_between(x, &from[size_t{i} * shown], shown);
         if (!is_on || !std::isfinite(offset)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: point %u can't be projected onto the manifold", argument, i);
+            throw OffSurface(
+                Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: point %u can't be projected onto the manifold", argument, i));
         }
         if (offsets) (*offsets)[i] = offset;
         return 4u;
@@ -96,10 +102,8 @@ Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n
 
 namespace {
 
-// The part of a prescribed derivative that is tangent to the manifold at an end.
-void place_slope(const ManifoldProduct& held, const Buffer<double>& slope, const double* point, bool last,
-                 SplineProblem& problem) {
-    if (slope.empty()) return;
+// The part of a derivative that is tangent to the manifold at a point; returns its length.
+double tangent_part(const ManifoldProduct& held, const double* slope, const double* point, double* out) {
     const Manifold& manifold = *held.manifold;
     const uint32_t n = manifold.ambient();
     double x[Manifold::max_ambient], basis[Manifold::max_ambient * Manifold::max_dimension],
@@ -109,14 +113,43 @@ void place_slope(const ManifoldProduct& held, const Buffer<double>& slope, const
     std::copy_n(point, n, x);
     manifold.project(x, hint);
     manifold.tangent_basis(x, hint, basis);
-    std::copy_n(slope.data(), slope.size(), whole);
-    problem.has_slope[last] = true;
-    std::fill_n(problem.slopes[last], n, 0.0);
+    std::copy_n(slope, held.given_ambient, whole);
+    std::fill_n(out, n, 0.0);
+    double square = 0;
     for (uint32_t a = 0; a < manifold.dimension(); ++a) {
         double along = 0;
         for (uint32_t c = 0; c < n; ++c) along += whole[c] * basis[a * n + c];
-        for (uint32_t c = 0; c < n; ++c) problem.slopes[last][c] += along * basis[a * n + c];
+        for (uint32_t c = 0; c < n; ++c) out[c] += along * basis[a * n + c];
+        square += along * along;
     }
+    return std::sqrt(square);
+}
+
+void place_slope(const ManifoldProduct& held, const Buffer<double>& slope, const double* point, bool last,
+                 SplineProblem& problem) {
+    if (slope.empty()) return;
+    problem.has_slope[last] = true;
+    tangent_part(held, slope.data(), point, problem.slopes[last]);
+}
+
+// Handles have directions along the manifold.
+Task<void> place_handles(Pace& pace, const ManifoldProduct& held, const Buffer<double>& given,
+                         Buffer<SplineHandle>& handles) {
+    constexpr double least_part = 1e-9;
+    const uint32_t n = held.manifold->ambient();
+    co_await each(pace, handles.size(), Cost::microseconds, [&](uint32_t h) {
+        SplineHandle& handle = handles[h];
+        if (!handle.has_slope) return;
+        double tangent[Manifold::max_ambient], square = 0;
+        for (uint32_t c = 0; c < held.given_ambient; ++c) square += handle.slope[c] * handle.slope[c];
+        const double along = tangent_part(held, handle.slope, &given[size_t{handle.point} * n], tangent);
+        if (!(along > least_part * std::sqrt(square)))
+            throw Failure(
+                FLG_ERROR_INVALID_ARGUMENT,
+                "desc.handles[%u].slope stands upright on the manifold at point %u, so it has no direction there",
+                handle.index, handle.point);
+        std::copy_n(tangent, n, handle.slope);
+    });
 }
 
 // The chain of another spline, each node moved as the given points around it were: parameters say how much of either.
@@ -208,7 +241,9 @@ Task<void> begin_chain(Pace& pace, const SplineRequest& request, uint32_t nodes,
         co_return;
     }
     co_await find_first_curve(pace, held, points, first);
-    const uint32_t first_nodes = coarsest(points.segments(held.manifold->ambient()), nodes);
+    // Pieces between handles keep their intervals.
+    const bool is_whole = request.handles.empty();
+    const uint32_t first_nodes = is_whole ? coarsest(points.segments(held.manifold->ambient()), nodes) : nodes;
     co_await place_nodes(pace, *held.manifold, first, points, first_nodes, 2, problem);
     if (request.desc.start == FLG_SPLINE_START_PROJECTED) co_await unrestricted_spline(pace, problem);
 }
@@ -259,34 +294,9 @@ Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out) {
     out.hints = optimizer.take_hints();
 }
 
-Task<void> make_spline(Pace& pace, SplineRequest request) {
-    Spline& out = *request.out;
-    const ManifoldProduct& held = *out.manifold;
-    SplineProblem& problem = request.problem;
-    problem.manifold = held.manifold.get();
+Task<void> minimize_chain(Pace& pace, const SplineRequest& request, SplineProblem& problem, uint32_t nodes,
+                          Spline& out) {
     const uint32_t n = problem.manifold->ambient();
-    out.closed = problem.closed;
-    if (request.obstacles) co_return co_await make_obstacle_spline(pace, request);
-    pace.stage("place");
-    Buffer<double> given;
-    co_await place_spline_points(pace, held, request.points, "desc.points", given, &out.offsets);
-    co_await refuse_coincident(pace, given, n, problem.closed, problem.manifold->size());
-    if (!problem.closed) {
-        place_slope(held, request.slopes[0], given.data(), false, problem);
-        place_slope(held, request.slopes[1], &given[given.size() - n], true, problem);
-    }
-    out.given = Buffer<double>(given.size(), pace.memory());
-    co_await each(pace, given.size(), Cost::some_ns, [&](uint32_t i) { out.given[i] = given[i]; });
-    pace.stage("begin");
-    const uint32_t segments = static_cast<uint32_t>(given.size() / n) - (problem.closed ? 0 : 1);
-    const uint32_t least = 2 * segments + (problem.closed ? 0 : 1);
-    const uint32_t wanted = request.desc.node_count > 0
-                                ? request.desc.node_count
-                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
-    const uint32_t nodes = std::max(wanted, least);
-    co_await begin_chain(pace, request, nodes, problem, given);
-    pace.stage("minimize");
-    problem.holds_nodes = held.has_normals();
     const double tolerance = problem.tolerance;
     const uint32_t max_rounds = problem.max_rounds;
     uint32_t subdivisions = request.desc.subdivisions, rounds = 0;
@@ -310,7 +320,88 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     }
     out.chain.report.rounds = rounds;
     out.knots = std::move(problem.knots);
+}
+
+namespace {
+
+// On the manifold, without obstacles.
+Task<void> make_smooth_spline(Pace& pace, SplineRequest& request) {
+    Spline& out = *request.out;
+    const ManifoldProduct& held = *out.manifold;
+    SplineProblem& problem = request.problem;
+    problem.manifold = held.manifold.get();
+    const uint32_t n = problem.manifold->ambient();
+    pace.stage("place");
+    Buffer<double> given;
+    co_await place_spline_points(pace, held, request.points, "desc.points", given, &out.offsets);
+    co_await refuse_coincident(pace, given, n, problem.closed, problem.manifold->size());
+    if (!problem.closed) {
+        place_slope(held, request.slopes[0], given.data(), false, problem);
+        place_slope(held, request.slopes[1], &given[given.size() - n], true, problem);
+    }
+    out.given = Buffer<double>(given.size(), pace.memory());
+    co_await each(pace, given.size(), Cost::some_ns, [&](uint32_t i) { out.given[i] = given[i]; });
+    co_await place_handles(pace, held, given, request.handles);
+    pace.stage("begin");
+    const uint32_t segments = static_cast<uint32_t>(given.size() / n) - (problem.closed ? 0 : 1);
+    const uint32_t least = 2 * segments + (problem.closed ? 0 : 1);
+    const uint32_t wanted = request.desc.node_count > 0
+                                ? request.desc.node_count
+                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
+    const uint32_t nodes = std::max(wanted, least);
+    co_await begin_chain(pace, request, nodes, problem, given);
+    pace.stage("minimize");
+    problem.holds_nodes = held.has_normals();
+    if (request.handles.empty()) co_return co_await minimize_chain(pace, request, problem, nodes, out);
+    co_await minimize_pieces(pace, request, problem, nodes, out);
+}
+
+// What else is asked for of a curve that is there.
+Task<void> complete(Pace& pace, const SplineRequest& request) {
+    Spline& out = *request.out;
+    if (request.desc.surface_points != 0) co_await find_surface_points(pace, out);
+    if (request.desc.key_tolerance > 0)
+        co_await fit_keys(pace, request.desc.key_tolerance, request.problem.bending == 0, out);
     out.is_complete = true;
+}
+
+}  // namespace
+
+// A curve over the triangles is shown first unless there is one to go on from, and is the result where no other can be
+// had.
+Task<void> make_spline(Pace& pace, SplineRequest request) {
+    Spline& out = *request.out;
+    out.closed = request.problem.closed;
+    const bool has_triangles = out.manifold->has_triangles(), only = request.desc.on_triangles != 0;
+    if (only && !has_triangles)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.on_triangles: desc.manifold is not that of a mesh");
+    if (request.desc.surface_points != 0 && !has_triangles)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.surface_points: desc.manifold is not that of a mesh");
+    if (request.obstacles) {
+        co_await make_obstacle_spline(pace, request);
+        co_return co_await complete(pace, request);
+    }
+    const std::shared_ptr<const Spline> before = request.warm_start;
+    if (before && (!before->is_complete || before->chain.on_triangles)) request.warm_start = nullptr;
+    bool is_laid = only || (has_triangles && pace.job().partial_results && !request.warm_start);
+    if (is_laid) {
+        pace.stage("triangles");
+        co_await lay_triangle_curve(pace, request, before.get());
+    }
+    bool is_off = only;
+    if (!only) {
+        try {
+            co_await make_smooth_spline(pace, request);
+        } catch (const OffSurface&) {
+            if (!has_triangles) throw;
+            is_off = true;
+        }
+    }
+    if (is_off) {
+        if (!is_laid) co_await lay_triangle_curve(pace, request, before.get());
+        co_await keep_triangle_curve(pace, request);
+    }
+    co_await complete(pace, request);
 }
 
 void Spline::publish_partial() noexcept {
@@ -321,13 +412,21 @@ void Spline::publish_partial() noexcept {
 
 void Spline::show() noexcept {
     show_chain(chain);
-    view_.ending = ending_of(chain.report.ending);
+    view_.ending = chain.on_triangles ? FLG_SPLINE_ENDING_TRIANGLES : ending_of(chain.report.ending);
     view_.normals = normals.data();
     view_.point_count = static_cast<uint32_t>(knots.size());
     view_.point_nodes = knots.data();
     view_.held_nodes = held.data();
     view_.held_count = static_cast<uint32_t>(held.size());
     view_.offsets = offsets.data();
+    view_.surface_points = surface_points.data();
+    view_.largest_moved = largest_moved;
+    view_.key_count = static_cast<uint32_t>(keys.parameters.size());
+    view_.key_parameters = keys.parameters.data();
+    view_.key_points = keys.points.data();
+    view_.key_arriving = keys.arriving.data();
+    view_.key_leaving = keys.leaving.data();
+    view_.largest_key_error = keys.largest_error;
     for (const double offset : offsets) view_.largest_offset = std::max(view_.largest_offset, offset);
 }
 
@@ -348,6 +447,7 @@ void Spline::show_chain(const Chain& shown) noexcept {
     view_.bending = report.bending;
     view_.stretching = report.stretching;
     view_.length = report.length;
+    view_.on_triangles = shown.on_triangles;
     view_.residual = report.residual;
 }
 

@@ -2,10 +2,14 @@
 // Splines as hosts hold them, and the job that makes them.
 #pragma once
 
+#include <optional>
+
+#include "core/failure.h"
 #include "curves/curve_set.h"
 #include "splines/obstacles/obstacles.h"
 #include "splines/optimizer/first_curve.h"
 #include "splines/optimizer/triple_buffer.h"
+#include "surfaces/tracing/surface_bezier.h"
 
 namespace flg {
 
@@ -20,6 +24,7 @@ public:
     struct Chain {
         Buffer<double> nodes, parameters;  // as many coordinates as the manifold shows; one a node, closed: one more
         SplineReport report;
+        bool on_triangles = false;  // made by triangle_curve.h
     };
 
     // By the job that makes it.
@@ -30,8 +35,26 @@ public:
     Buffer<double> given;        // the same, of the given points
     Buffer<uint32_t> knots;      // their nodes
     Buffer<uint32_t> held;       // nodes that the optimizer held
-    Buffer<double> offsets;      // how far they were from the manifold, m
-    Buffer<float> normals;       // 3 a node, of surfaces in R^3
+    Buffer<uint32_t> breaks;     // nodes of points with handles, where curvature and perhaps the tangent jump
+    // As few cubic pieces, where asked for (spline_keys.h): derivatives by the parameter before and after each key.
+    struct Keys {
+        Buffer<double> parameters, points, arriving, leaving;
+        double largest_error = 0;  // m
+    };
+    Keys keys;
+    Buffer<double> offsets;  // how far they were from the manifold, m
+    Buffer<float> normals;   // 3 a node, of surfaces in R^3
+    // The curve over the mesh's triangles, where it was made.
+    struct OnTriangles {
+        explicit OnTriangles(Memory* memory) : bezier(memory) {}
+
+        SurfaceBezier bezier;
+        Buffer<double> given, offsets;  // as the spline's
+    };
+    std::optional<OnTriangles> triangles;
+    // Where asked for: the point of the mesh's triangles nearest to each node, and how far that is at most, m.
+    Buffer<FlgSurfacePoint> surface_points;
+    double largest_moved = 0;
     bool closed = false;
     bool is_complete = false;  // all of it is there
 
@@ -45,12 +68,21 @@ private:
     FlgSplineView view_{};
 };
 
+// At a given point, for what follows there: a derivative, or a corner.
+struct SplineHandle {
+    uint32_t point = 0;
+    uint32_t index = 0;  // as given
+    bool has_slope = false;
+    double slope[Manifold::max_ambient] = {};  // in the job, its part tangent to the manifold
+};
+
 struct SplineRequest {
     std::shared_ptr<Spline> out;
     std::shared_ptr<const Spline> warm_start;    // or null
     Buffer<double> points;                       // as given, given_ambient each
     Buffer<double> curve;                        // the same, or empty
     Buffer<double> slopes[2];                    // the same, or empty
+    Buffer<SplineHandle> handles;                // by point, one at most
     SplineProblem problem;                       // options, parameters and, with a curve, knots
     FlgSplineDesc desc{};                        // checked; its handles are resolved here, its arrays copied
     std::shared_ptr<const Obstacles> obstacles;  // or null
@@ -66,6 +98,12 @@ Task<void> make_spline(Pace& pace, SplineRequest request);
 // barriers around them whose radius shrinks.
 Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request);
 
+// That a curve can't be had on a manifold, though it may be over its triangles.
+class OffSurface final : public Failure {
+public:
+    explicit OffSurface(const Failure& failure) : Failure(failure) {}
+};
+
 // Steps of that. Points of the host put onto the manifold: all their coordinates and, unless null, how far they were
 // from it.
 Task<void> place_spline_points(Pace& pace, const ManifoldProduct& held, const Buffer<double>& from,
@@ -74,6 +112,9 @@ Task<void> place_spline_points(Pace& pace, const ManifoldProduct& held, const Bu
 Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n, bool closed, double size);
 // Runs the optimizer to its end, and shows its rounds if the host wants to see them.
 Task<void> run_optimizer(Pace& pace, SplineOptimizer& optimizer, Spline& spline);
+// From a chain that has begun to `nodes` nodes, and what stays of it.
+Task<void> minimize_chain(Pace& pace, const SplineRequest& request, SplineProblem& problem, uint32_t nodes,
+                          Spline& out);
 // What stays of an optimizer that is done.
 Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out);
 

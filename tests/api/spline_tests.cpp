@@ -164,6 +164,121 @@ TEST(SplineApi, RoundsCanBeWatched) {
     EXPECT_EQ(view.node_count, 2000u);
 }
 
+// The first state is over the triangles: exactly on them, through the points, and the optimizer's rounds follow.
+TEST(SplineApi, OnAMeshACurveOverItsTrianglesIsSeenFirst) {
+    const Host host;
+    const MeshArrays mesh = torus_mesh(60, 24, 2, 0.8);
+    const FlgManifold manifold = mesh_manifold(host, mesh);
+    std::vector<double> points;
+    for (uint32_t i = 0; i < 8; ++i) {
+        const size_t vertex = (7 * i) % 60 * 24 + (5 * i) % 24;
+        for (size_t c = 0; c < 3; ++c) points.push_back(mesh.positions[3 * vertex + c]);
+    }
+    FlgSplineDesc desc = spline_desc(manifold, points);
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
+    desc.job = &options;
+    FlgSpline spline{};
+    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_OK) << flgErrorGetMessage();
+    FlgSplineView view = flgSplineViewDefaults();
+    bool is_first = true;
+    for (int tick = 0; tick < 100000 && (is_first || view.ending == FLG_SPLINE_ENDING_RUNNING); ++tick) {
+        ASSERT_EQ(flgContextTick(host.context, 20, nullptr), FLG_OK);
+        if (flgSplineGetView(host.context, spline, &view) != FLG_OK || !is_first) continue;
+        is_first = false;
+        EXPECT_NE(view.on_triangles, 0u);
+        EXPECT_EQ(view.ending, FLG_SPLINE_ENDING_RUNNING);
+        ASSERT_EQ(view.node_count, 7 * 32 + 1u);
+        for (uint32_t k = 0; k < 8; ++k) {
+            for (size_t c = 0; c < 3; ++c) EXPECT_EQ(view.nodes[3 * 32 * k + c], points[3 * k + c]);
+        }
+        EXPECT_GT(view.length, 0);
+        EXPECT_GT(view.bending, 0);
+    }
+    EXPECT_EQ(view.on_triangles, 0u);
+    EXPECT_EQ(view.ending, FLG_SPLINE_ENDING_CONVERGED);
+
+    desc.job = nullptr;
+    desc.on_triangles = desc.surface_points = 1;
+    const MadeSpline laid = make_spline(host, desc);
+    ASSERT_EQ(laid.result, FLG_OK) << laid.error;
+    EXPECT_EQ(laid.view.ending, FLG_SPLINE_ENDING_TRIANGLES);
+    EXPECT_NE(laid.view.normals, nullptr);
+    EXPECT_EQ(laid.view.point_nodes[3], 96u);
+    EXPECT_LT(laid.view.largest_moved, 1e-9);
+    EXPECT_NEAR(laid.view.length, view.length, 0.05 * view.length);
+
+    // Dragged: far segments stay, to the bit.
+    points[12] += 0.1;
+    desc.warm_start = laid.spline;
+    const MadeSpline dragged = make_spline(host, desc);
+    desc.warm_start = {};
+    const MadeSpline anew = make_spline(host, desc);
+    EXPECT_EQ(largest_distance(dragged, anew), 0);
+    EXPECT_EQ(distance(dragged.node(7 * 32 - 5), laid.node(7 * 32 - 5)), 0);
+    EXPECT_GT(distance(dragged.node(128), laid.node(128)), 0.01);
+}
+
+TEST(SplineApi, CurvesOverTrianglesNeedAMesh) {
+    const Host host;
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 1);
+    const std::vector<double> points = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    FlgSplineDesc desc = spline_desc(sphere, points);
+    desc.on_triangles = 1;
+    EXPECT_EQ(make_spline(host, desc).result, FLG_ERROR_INVALID_ARGUMENT);
+    desc.on_triangles = 0;
+    desc.surface_points = 1;
+    EXPECT_EQ(make_spline(host, desc).result, FLG_ERROR_INVALID_ARGUMENT);
+    desc.surface_points = 0;
+    const MadeSpline made = make_spline(host, desc);
+    FlgSplineTraceDesc trace = flgSplineTraceDefaults();
+    trace.spline = made.spline;
+    FlgSurfaceCurves curves{};
+    EXPECT_EQ(flgSplineTrace(host.context, &trace, &curves, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+}
+
+// Each piece of the result lies in one triangle; cut along a closed one, a ring comes apart into regions.
+TEST(SplineApi, IsLaidOntoTrianglesToCutThere) {
+    const Host host;
+    const FlgSurface surface = mesh_surface(host, torus_mesh(40, 16, 2, 0.8));
+    const FlgManifold manifold = mesh_manifold(host, surface);
+    std::vector<double> points;
+    for (int i = 0; i < 5; ++i) {
+        const double a = 0.4 * std::cos(1.25 * i), b = 0.7 * std::sin(1.25 * i), r = 2 + 0.8 * std::cos(b);
+        points.insert(points.end(), {r * std::cos(a), r * std::sin(a), 0.8 * std::sin(b)});
+    }
+    FlgSplineDesc desc = spline_desc(manifold, points);
+    desc.closed = desc.surface_points = 1;
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    ASSERT_NE(made.view.surface_points, nullptr);
+    EXPECT_GT(made.view.largest_moved, 0);
+    EXPECT_LT(made.view.largest_moved, 0.03);
+    FlgSplineTraceDesc trace = flgSplineTraceDefaults();
+    trace.spline = made.spline;
+    FlgSurfaceCurves curves{};
+    ASSERT_EQ(flgSplineTrace(host.context, &trace, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
+    host.finish();
+    FlgSurfaceCurvesView traced = flgSurfaceCurvesViewDefaults();
+    ASSERT_EQ(flgSurfaceCurvesGetView(host.context, curves, &traced), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(traced.curve_count, 1u);
+    EXPECT_EQ(traced.curve_flags[0], FLG_CURVE_CLOSED);
+    EXPECT_GE(traced.curve_offsets[1], made.view.node_count);
+    EXPECT_NEAR(traced.curve_values[0], made.view.length, 0.01 * made.view.length);
+    FlgSurfaceCutCurvesDesc cut = flgSurfaceCutCurvesDefaults();
+    cut.curves = curves;
+    FlgJob job{};
+    ASSERT_EQ(flgSurfaceCutCurves(host.context, &cut, &job), FLG_OK) << flgErrorGetMessage();
+    host.finish();
+    FlgJobStatus status = flgJobStatusDefaults();
+    ASSERT_EQ(flgJobGetStatus(host.context, job, &status), FLG_OK);
+    EXPECT_EQ(status.result, FLG_OK) << status.error;
+    // After the cut there are more triangles, and a spline on the same manifold still finds them.
+    const MadeSpline again = make_spline(host, desc);
+    ASSERT_EQ(again.result, FLG_OK) << again.error;
+    EXPECT_NEAR(again.view.largest_moved, made.view.largest_moved, 1e-4);
+}
+
 TEST(SplineApi, DraggingAPointGoesOnFromTheLastCurve) {
     const Host host;
     const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8);

@@ -35,10 +35,32 @@ FlgSpline fit(Calls& calls, FlgManifold manifold, FlgSpline warm_start = {}) {
     return spline;
 }
 
+// With a tangent at a point, another that is soft, and as few cubic pieces.
+FlgSpline fit_shaped(Calls& calls, FlgManifold manifold) {
+    const std::vector<double> points = {1, 0.1, 0.1, 0.2, 0.9, 0.3, -0.6, 0.5, 0.6, -0.5, -0.5, 0.5};
+    const double slope[3] = {1, 0.2, -0.4}, softness[4] = {0, 0, 0.1, 0};
+    FlgSplineHandle handle = FLG_INIT(calls, flgSplineHandleInit);
+    handle.point = 1;
+    handle.slope = slope;
+    FlgSplineDesc desc = FLG_INIT(calls, flgSplineDescInit);
+    desc.manifold = manifold;
+    desc.points = points.data();
+    desc.point_count = 4;
+    desc.node_count = 16;
+    desc.handles = &handle;
+    desc.handle_count = 1;
+    desc.softness = softness;
+    desc.key_tolerance = 0.01;
+    FlgSpline spline{};
+    FLG_CALL(calls, flgSplineCreate, calls.context, &desc, calls.out(spline), calls.job());
+    return spline;
+}
+
 void look_at(Calls& calls, FlgSpline spline) {
     FlgSplineView view = FLG_INIT(calls, flgSplineViewInit);
     FLG_CALL(calls, flgSplineGetView, calls.context, spline, &view);
     calls.note(view.nodes, size_t{view.ambient} * view.node_count * sizeof(double));
+    calls.note(view.key_points, size_t{view.ambient} * view.key_count * sizeof(double));
     FLG_DRAW(calls, flgDebugDrawSpline, spline);
 }
 
@@ -112,6 +134,13 @@ void make_sampled_manifolds(Calls& calls) {
         const FlgSpline spline = fit(calls, manifold);
         calls.finish();
         look_at(calls, spline);
+        if (manifold.id != made[0].id) continue;
+        FlgSplineTraceDesc trace = FLG_INIT(calls, flgSplineTraceDescInit);
+        trace.spline = spline;
+        FlgSurfaceCurves curves{};
+        FLG_CALL(calls, flgSplineTrace, calls.context, &trace, calls.out(curves), calls.job());
+        calls.finish();
+        calls.note(curves);
     }
 }
 
@@ -121,6 +150,7 @@ void fit_splines(Calls& calls) {
         const FlgManifold manifold = make_shape(calls, shape);
         const FlgSpline spline = fit(calls, manifold);
         const FlgSpline warm = fit(calls, manifold, spline);
+        const FlgSpline shaped = fit_shaped(calls, manifold);
         FlgSplineSampleDesc curves = FLG_INIT(calls, flgSplineSampleDescInit);
         curves.spline = warm;
         FlgCurveSet set{};
@@ -128,6 +158,7 @@ void fit_splines(Calls& calls) {
         calls.finish();
         look_at(calls, spline);
         look_at(calls, warm);
+        look_at(calls, shaped);
         calls.note(set);
         FLG_CALL(calls, flgSplineRelease, calls.context, spline);
     }

@@ -132,6 +132,79 @@ TEST_F(SplineCommand, AFormulaAMeshAndACloudOfATorusGiveOneCurve) {
     EXPECT_LT(largest_distance(exact, cloud), 1e-2);
 }
 
+// The distance of a place from the triangles of a mesh that is convex around the place's nearest triangle, to rounding:
+// the least over their planes where the place is within the triangle.
+double off_triangles(const TestMesh& mesh, const Point& p) {
+    double least = 1e9;
+    for (const auto& t : mesh.triangles) {
+        const Point a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
+        Point u, v, w;
+        for (size_t k = 0; k < 3; ++k) u[k] = b[k] - a[k], v[k] = c[k] - a[k], w[k] = p[k] - a[k];
+        const auto dot = [](const Point& x, const Point& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
+        const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v),
+                     area = uu * vv - uv * uv;
+        const double s = (vv * wu - uv * wv) / area, r = (uu * wv - uv * wu) / area;
+        if (s < -1e-6 || r < -1e-6 || s + r > 1 + 1e-6) continue;
+        Point off;
+        for (size_t k = 0; k < 3; ++k) off[k] = w[k] - s * u[k] - r * v[k];
+        least = std::min(least, std::sqrt(dot(off, off)));
+    }
+    return least;
+}
+
+TEST_F(SplineCommand, OverTrianglesAndOnTheMeshItLiesOnThem) {
+    points(around_torus());
+    const TestMesh torus = torus_mesh(48);
+    folder.write("torus.off", torus.off());
+    const auto first = curve("torus.off", {"--over-triangles"});
+    ASSERT_EQ(first.size(), 5 * 32 + 1u);
+    for (const Point& p : first) EXPECT_LT(off_triangles(torus, p), 1e-6);
+    const auto smooth = curve("torus.off"), laid = curve("torus.off", {"--on-mesh"});
+    EXPECT_GT(laid.size(), smooth.size());
+    for (const Point& p : laid) EXPECT_LT(off_triangles(torus, p), 1e-6);
+    EXPECT_GT(quality("largest_moved"), 0);
+    EXPECT_LT(quality("largest_moved"), 5e-3);
+    // Beside a curve without sharp bends, and away from the seams of the grid, by as much, all along.
+    std::vector<Point> gentle;
+    for (int i = 0; i < 6; ++i) {
+        const double u = 0.5 + 0.5 * i, v = 1.5 + 0.4 * std::sin(1.3 * i), ring = 1 + 0.4 * std::cos(v);
+        gentle.push_back({ring * std::cos(u), ring * std::sin(u), 0.4 * std::sin(v)});
+    }
+    points(gentle);
+    const auto middle = curve("torus.off", {"--on-mesh"}),
+               beside = curve("torus.off", {"--on-mesh", "--offset", "0.05"});
+    for (size_t i = 0; i < beside.size(); ++i) {
+        EXPECT_LT(off_triangles(torus, beside[i]), 1e-6);
+        double nearest = 1e9;
+        for (const Point& p : middle) nearest = std::min(nearest, distance(beside[i], p));
+        EXPECT_NEAR(nearest, 0.05, 0.002) << i;
+    }
+    EXPECT_EQ(run({"spline", "torus:1,0.4", "points.xyz", "-o", "out.xyz", "--on-mesh"}).status, 2);
+    EXPECT_EQ(run({"spline", "torus.off", "points.xyz", "-o", "out.xyz", "--offset", "1"}).status, 2);
+}
+
+TEST_F(SplineCommand, ComesAsFewCubicPiecesWithCorners) {
+    points({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}});
+    for (const std::string fit : {"bezier", "hermite"}) {
+        curve("space", {"--corners", "1", "--fit", fit, "--fit-output", "fit.json", "--fit-tolerance", "1e-6"});
+        const nlohmann::json json = nlohmann::json::parse(folder.read("fit.json"));
+        EXPECT_EQ(json.at("fit"), fit);
+        const nlohmann::json& only = json.at("curves").at(0);
+        EXPECT_LE(only.at("largest_error").get<double>(), 1e-6);
+        // Straight to the corner and straight on.
+        if (fit == "bezier") {
+            ASSERT_EQ(only.at("control_points").size(), 7u);
+            EXPECT_NEAR(only.at("control_points").at(1).at(0).get<double>(), 1.0 / 3, 1e-6);
+            EXPECT_NEAR(only.at("control_points").at(4).at(1).get<double>(), 2.0 / 3, 1e-6);
+        } else {
+            ASSERT_EQ(only.at("points").size(), 3u);
+            EXPECT_NEAR(only.at("leaving").at(1).at(1).get<double>(), -std::sqrt(0.5), 1e-6);
+            EXPECT_NEAR(only.at("arriving").at(1).at(1).get<double>(), std::sqrt(0.5), 1e-6);
+        }
+    }
+    EXPECT_EQ(run({"spline", "space", "points.xyz", "-o", "out.xyz", "--fit", "bezier"}).status, 2);
+}
+
 // A curve's own points are on the surface that it was made on, and it passes through the given ones' places there.
 TEST_F(SplineCommand, EveryFormulaKeepsItsCurve) {
     points({{0.9, 0.1, 0.2}, {0.85, 0.2, 0.25}, {0.75, 0.25, 0.35}, {0.7, 0.4, 0.3}});

@@ -11,6 +11,7 @@ namespace flg::bench {
 namespace {
 
 constexpr uint32_t kFrames = 60, kBudgetUs = 2000;
+constexpr double kFirstMs = 10, kDraggedMs = 3;
 constexpr double kBudgetMs = 2, kFrameMs = 1000.0 / 90, kReach = 0.15;  // radians around the torus, there and back
 
 double aside_at(uint32_t frame) {
@@ -25,20 +26,26 @@ std::string text_of(const char* format, double value, double more = 0) {
 
 // Of each frame's job, in processor time.
 struct Times {
+    double first_ms = 0;
     double mean_ms = 0, max_ms = 0, mean_rounds = 0;
 };
 
-Times drag_times(const MeshArrays& mesh) {
+// `on_triangles`: the curve over the mesh's triangles, which is there first.
+Times drag_times(const MeshArrays& mesh, bool on_triangles) {
     SplineBench bench(mesh);
     bench.make_manifold();
     FlgSplineView view{};
     FlgSpline last{};
-    bench.spline_ms(bench.desc(winding_points()), view, &last);
+    const std::vector<double> begin = winding_points();
+    FlgSplineDesc first = bench.desc(begin);
+    first.on_triangles = on_triangles;
     Times times;
+    times.first_ms = bench.spline_ms(first, view, &last);
     for (uint32_t frame = 1; frame <= kFrames; ++frame) {
         const std::vector<double> points = winding_points(aside_at(frame));
         FlgSplineDesc desc = bench.desc(points);
         desc.warm_start = last;
+        desc.on_triangles = on_triangles;
         FlgSpline next{};
         const double ms = bench.spline_ms(desc, view, &next);
         check(flgSplineRelease(bench.host().context(), last));
@@ -93,8 +100,17 @@ Frames drag_frames(const MeshArrays& mesh, uint32_t workers) {
 
 }  // namespace
 
+std::vector<Row> spline_first(const MeshArrays& mesh, const std::string& name) {
+    const Times times = drag_times(mesh, true);
+    return {
+        below(name + ": first curve, over triangles, M = 288", times.first_ms, "ms", kFirstMs),
+        below(name + ": the same, a point dragged, mean", times.mean_ms, "ms", kDraggedMs,
+              text_of("longest %.1f ms", times.max_ms)),
+    };
+}
+
 std::vector<Row> spline_dragging(const MeshArrays& mesh, const std::string& name) {
-    const Times times = drag_times(mesh);
+    const Times times = drag_times(mesh, false);
     const Frames one = drag_frames(mesh, 1), none = drag_frames(mesh, 0);
     return {
         below(name + ": a point dragged, M = 288, mean", times.mean_ms, "ms", kBudgetMs,

@@ -13,7 +13,7 @@ namespace flg::bench {
 namespace {
 
 constexpr double kSurfaceMs = 150, kSplineMs = 10, kChunkUs = 100;
-constexpr uint32_t kTriangles = 70'000;
+constexpr uint32_t kTriangles = 70'000, kManyTriangles = 270'000;
 constexpr int kSplineRuns = 21, kFirstRuns = 5;
 
 struct Chunk {
@@ -145,6 +145,7 @@ std::vector<Row> run_splines() {
     append(spline_rows(wavy, "torus in waves of 1 cm"));
     append(spline_dragging(wavy, "torus in waves of 1 cm"));
     append(spline_rows(bumpy_torus(kTriangles), "torus with bumps of 5 cm"));
+    append(spline_first(wavy_torus(kManyTriangles, 0.01), "torus in waves, 270k"));
     append(spline_motions());
     append(spline_growth());
     append(spline_strokes());

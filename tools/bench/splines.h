@@ -46,6 +46,7 @@ uint64_t processor_ns(void* unused);
 
 // Rows of other files.
 std::vector<Row> spline_dragging(const MeshArrays& mesh, const std::string& name);
+std::vector<Row> spline_first(const MeshArrays& mesh, const std::string& name);
 std::vector<Row> spline_motions();
 std::vector<Row> spline_growth();
 std::vector<Row> spline_strokes();

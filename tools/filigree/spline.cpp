@@ -19,13 +19,18 @@
 namespace flg::cli {
 namespace {
 
+enum class Fit { none, bezier, hermite };
+
 struct Options {
-    std::string surface, points, output, obstacles;
+    std::string surface, points, output, obstacles, fit_output;
+    Fit fit = Fit::none;
+    double fit_tolerance = 1e-3;
+    std::vector<uint32_t> corners;
     FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
-    double tension = 1, smoothing = 0, smoothing_scale = 0, tolerance = 1e-6, feature = 0, layer = 0;
+    double tension = 1, smoothing = 0, smoothing_scale = 0, tolerance = 1e-6, feature = 0, layer = 0, offset = 0;
     float height = 0;
     uint32_t nodes = 0, rounds = 200;
-    bool closed = false, inside = false;
+    bool closed = false, inside = false, over_triangles = false, on_mesh = false;
     FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
 };
 
@@ -39,11 +44,16 @@ const std::map<std::string, FlgSplineStart>& start_names() {
                                                                 {"projected", FLG_SPLINE_START_PROJECTED}};
     return names;
 }
+const std::map<std::string, Fit>& fit_names() {
+    static const std::map<std::string, Fit> names = {{"bezier", Fit::bezier}, {"hermite", Fit::hermite}};
+    return names;
+}
 const char* ending_name(FlgSplineEnding ending) {
-    return ending == FLG_SPLINE_ENDING_CONVERGED  ? "converged"
-           : ending == FLG_SPLINE_ENDING_ROUNDING ? "rounding"
-           : ending == FLG_SPLINE_ENDING_STALLED  ? "stalling"
-                                                  : "rounds";
+    return ending == FLG_SPLINE_ENDING_CONVERGED   ? "converged"
+           : ending == FLG_SPLINE_ENDING_ROUNDING  ? "rounding"
+           : ending == FLG_SPLINE_ENDING_STALLED   ? "stalling"
+           : ending == FLG_SPLINE_ENDING_TRIANGLES ? "triangles"
+                                                   : "rounds";
 }
 
 // One spline for each curve of the file.
@@ -78,6 +88,16 @@ Made make_one(Session& session, const Options& options, const SplineManifold& ma
     desc.node_count = options.nodes;
     desc.max_rounds = options.rounds;
     desc.start = options.start;
+    std::vector<FlgSplineHandle> corners;
+    for (const uint32_t point : options.corners) {
+        corners.push_back(flgSplineHandleDefaults());
+        corners.back().point = point;
+    }
+    desc.handles = corners.data();
+    desc.handle_count = static_cast<uint32_t>(corners.size());
+    if (options.fit != Fit::none) desc.key_tolerance = options.fit_tolerance;
+    desc.on_triangles = options.over_triangles;
+    desc.surface_points = options.on_mesh;
     if (obstacles) {
         desc.obstacles = obstacles->handle;
         desc.sides = obstacles->sides.data();
@@ -99,18 +119,59 @@ void append_number(std::string& text, double value, double origin) {
                                     : std::to_chars(number, end, value + origin).ptr);
 }
 
+// What is written of a spline.
+struct Drawn {
+    std::vector<Vector> places, normals;  // one a point; normals may be none
+    bool closed = false;
+    Vector origin = {};
+};
+
+Drawn nodes_of(const FlgSplineView& view) {
+    Drawn out{.places = {}, .normals = {}, .closed = view.closed != 0};
+    std::copy(std::begin(view.origin), std::end(view.origin), out.origin.begin());
+    for (uint32_t i = 0; i < view.node_count; ++i) {
+        Vector place = {};
+        std::copy_n(view.nodes + size_t{view.ambient} * i, std::min(view.ambient, 3u), place.begin());
+        out.places.push_back(place);
+        const float* const n = view.normals + size_t{3} * i;
+        if (view.normals) out.normals.push_back({n[0], n[1], n[2]});
+    }
+    return out;
+}
+
+// Over the triangles, wherever it passes from one to another.
+Drawn trace_of(Session& session, const MeshSurface& mesh, const Made& made, double offset, Report& report) {
+    FlgSplineTraceDesc desc;
+    flgSplineTraceDescInit(&desc, sizeof desc);
+    desc.spline = made.spline;
+    desc.offset = offset;
+    FlgSurfaceCurves traced = {};
+    FlgJob job = {};
+    check(flgSplineTrace(session.context(), &desc, &traced, &job), made.subject);
+    session.finish({{{job, made.subject}}}, report);
+    const FlgSurfaceCurvesView view = view_of(session.context(), traced);
+    const FlgSurfaceView surface = mesh.view();
+    Drawn out{.places = {}, .normals = {}, .closed = made.view.closed != 0, .origin = origin_of(*surface.mesh)};
+    for (uint32_t i = 0; view.curve_count > 0 && i < view.curve_offsets[1]; ++i) {
+        const FlgSurfacePoint& point = view.points[i];
+        const uint32_t* const corners = surface.mesh->triangles + size_t{3} * point.triangle;
+        const double u = point.u, v = point.v;
+        out.places.push_back((1 - u - v) * vertex_at(*surface.mesh, corners[0]) +
+                             u * vertex_at(*surface.mesh, corners[1]) + v * vertex_at(*surface.mesh, corners[2]));
+        out.normals.push_back(unit(area_vector(*surface.mesh, point.triangle)));
+    }
+    return out;
+}
+
 // In double precision, not through a curve set's floats.
-std::string xyz_text(const std::vector<Made>& all, float height) {
+std::string xyz_text(const std::vector<Drawn>& all) {
     std::string text;
-    for (const Made& made : all) {
-        const FlgSplineView& view = made.view;
+    for (const Drawn& drawn : all) {
         if (!text.empty()) text += '\n';
-        if (view.closed) text += "# closed\n";
-        for (uint32_t i = 0; i < view.node_count; ++i) {
-            for (uint32_t c = 0; c < 3; ++c) {
-                double value = c < view.ambient ? view.nodes[size_t{view.ambient} * i + c] : 0;
-                if (view.normals) value += height * view.normals[size_t{3} * i + c];
-                append_number(text, value, view.origin[c]);
+        if (drawn.closed) text += "# closed\n";
+        for (const Vector& place : drawn.places) {
+            for (size_t c = 0; c < 3; ++c) {
+                append_number(text, place[c], drawn.origin[c]);
                 text += c == 2 ? '\n' : ' ';
             }
         }
@@ -118,25 +179,78 @@ std::string xyz_text(const std::vector<Made>& all, float height) {
     return text;
 }
 
-void write_output(Session& session, const std::vector<Made>& all, const Options& options) {
-    if (options.output.ends_with(".xyz")) return write_text_file(options.output, xyz_text(all, options.height));
+void write_output(Session& session, std::vector<Drawn> all, const Options& options) {
+    for (Drawn& drawn : all) {
+        for (size_t i = 0; i < drawn.normals.size(); ++i)
+            drawn.places[i] = drawn.places[i] + double{options.height} * drawn.normals[i];
+    }
+    if (options.output.ends_with(".xyz")) return write_text_file(options.output, xyz_text(all));
     SpaceLines lines;
-    for (const Made& made : all) {
-        std::copy(std::begin(made.view.origin), std::end(made.view.origin), lines.origin.begin());
-        for (uint32_t i = 0; i < made.view.node_count; ++i) {
-            Vector place = {}, normal = {};
-            for (uint32_t c = 0; c < made.view.ambient; ++c)
-                place[c] = made.view.nodes[size_t{made.view.ambient} * i + c];
-            if (made.view.normals) {
-                for (uint32_t c = 0; c < 3; ++c) normal[c] = made.view.normals[size_t{3} * i + c];
-                lines.add(place + options.height * normal, normal);
+    for (const Drawn& drawn : all) {
+        lines.origin = drawn.origin;
+        for (size_t i = 0; i < drawn.places.size(); ++i) {
+            if (drawn.normals.empty()) {
+                lines.add(drawn.places[i]);
             } else {
-                lines.add(place);
+                lines.add(drawn.places[i], drawn.normals[i]);
             }
         }
-        lines.end_line(made.view.closed != 0);
+        lines.end_line(drawn.closed);
     }
     write_curves(session.context(), create_set(session.context(), lines, options.output), options.output);
+}
+
+// A number list for each point of a row.
+nlohmann::ordered_json rows_of(const std::vector<double>& numbers, uint32_t width) {
+    auto rows = nlohmann::ordered_json::array();
+    for (size_t i = 0; i < numbers.size(); i += width)
+        rows.push_back(std::vector<double>(numbers.begin() + static_cast<std::ptrdiff_t>(i),
+                                           numbers.begin() + static_cast<std::ptrdiff_t>(i + width)));
+    return rows;
+}
+
+// A curve's keys, or the control points of its Bezier pieces, each piece beginning with the last point of the one
+// before.
+nlohmann::ordered_json fitted(const FlgSplineView& view, Fit fit) {
+    const uint32_t n = view.ambient;
+    const size_t count = size_t{n} * view.key_count;
+    std::vector<double> points(view.key_points, view.key_points + count);
+    for (size_t i = 0; i < count && n == 3; ++i) points[i] += view.origin[i % 3];
+    nlohmann::ordered_json json = {
+        {"closed", view.closed != 0},
+        {"largest_error", view.largest_key_error},
+        {"parameters", std::vector<double>(view.key_parameters, view.key_parameters + view.key_count)}};
+    if (fit == Fit::hermite) {
+        json["points"] = rows_of(points, n);
+        json["arriving"] = rows_of({view.key_arriving, view.key_arriving + count}, n);
+        json["leaving"] = rows_of({view.key_leaving, view.key_leaving + count}, n);
+        return json;
+    }
+    std::vector<double> control(points.begin(), points.begin() + n);
+    for (uint32_t k = 0; k + 1 < view.key_count; ++k) {
+        const double third = (view.key_parameters[k + 1] - view.key_parameters[k]) / 3;
+        const size_t at = size_t{n} * k, next = at + n;
+        for (uint32_t c = 0; c < n; ++c) control.push_back(points[at + c] + third * view.key_leaving[at + c]);
+        for (uint32_t c = 0; c < n; ++c) control.push_back(points[next + c] - third * view.key_arriving[next + c]);
+        for (uint32_t c = 0; c < n; ++c) control.push_back(points[next + c]);
+    }
+    json["control_points"] = rows_of(control, n);
+    return json;
+}
+
+void write_fit(const std::vector<Made>& all, const Options& options, Report& report) {
+    auto curves = nlohmann::ordered_json::array();
+    uint32_t keys = 0;
+    double error = 0;
+    for (const Made& made : all) {
+        curves.push_back(fitted(made.view, options.fit));
+        keys += made.view.key_count;
+        error = std::max(error, made.view.largest_key_error);
+    }
+    report.counts["keys"] = keys;
+    report.quality["largest_fit_error"] = error;
+    const nlohmann::ordered_json file = {{"fit", name_of(fit_names(), options.fit)}, {"curves", std::move(curves)}};
+    write_text_file(options.fit_output, file.dump(1) + "\n");
 }
 
 void describe(const Options& options, Report& report) {
@@ -155,6 +269,9 @@ void describe(const Options& options, Report& report) {
 void run_spline(const Options& options, const CommonOptions& common) {
     require_curve_output(options.output);
     require_writable(common.report);
+    if ((options.fit != Fit::none) != !options.fit_output.empty())
+        throw UsageError("--fit and --fit-output go together");
+    if (options.fit != Fit::none) require_writable(options.fit_output);
     Report report("spline", common);
     describe(options, report);
     Session session(common);
@@ -169,14 +286,21 @@ void run_spline(const Options& options, const CommonOptions& common) {
     if (among || border)
         obstacles =
             read_obstacles(session, options.obstacles, manifold.view.ambient, report, border ? &*border : nullptr);
+    if (options.on_mesh && !manifold.mesh)
+        throw UsageError("--on-mesh: SURFACE must be a mesh, not " + options.surface);
+    if (options.offset != 0 && !options.on_mesh) throw UsageError("--offset needs --on-mesh");
     std::vector<Made> all;
+    std::vector<Drawn> drawn;
     uint32_t rounds = 0, nodes = 0, held = 0;
-    double energy = 0, residual = 0, offset = 0, length = 0;
+    double energy = 0, residual = 0, offset = 0, length = 0, moved = 0;
     for (uint32_t line = 0; line < lines.count(); ++line) {
         all.push_back(make_one(session, options, manifold, obstacles ? &*obstacles : nullptr, lines, line, report));
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
-        nodes += view.node_count;
+        drawn.push_back(options.on_mesh ? trace_of(session, *manifold.mesh, all.back(), options.offset, report)
+                                        : nodes_of(view));
+        nodes += static_cast<uint32_t>(drawn.back().places.size());
+        moved = std::max(moved, view.largest_moved);
         held += view.held_count;
         energy += view.energy;
         length += view.length;
@@ -198,7 +322,12 @@ void run_spline(const Options& options, const CommonOptions& common) {
                         " held where the surface has a sharp edge, the first at " + place +
                         "; --smoothing-scale rounds edges off");
         }
-        if (view.ending != FLG_SPLINE_ENDING_CONVERGED) {
+        if (view.ending == FLG_SPLINE_ENDING_TRIANGLES) {
+            if (options.over_triangles) continue;
+            report.warn(all.back().subject +
+                        ": the smooth surface can't be reached, so this is the curve over the triangles; "
+                        "--smoothing-scale may help");
+        } else if (view.ending != FLG_SPLINE_ENDING_CONVERGED) {
             report.warn(all.back().subject + ": ended by " + ending_name(view.ending) + ", with a residual of " +
                         std::to_string(view.residual));
         }
@@ -212,7 +341,9 @@ void run_spline(const Options& options, const CommonOptions& common) {
     report.quality["residual"] = residual;
     report.quality["length"] = length;
     report.quality["largest_offset"] = offset;
-    write_output(session, all, options);
+    if (options.on_mesh) report.quality["largest_moved"] = moved;
+    if (options.fit != Fit::none) write_fit(all, options, report);
+    write_output(session, std::move(drawn), options);
     report.write();
 }
 
@@ -258,6 +389,26 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
         ->capture_default_str();
     app->add_option("--feature", o->feature, "Weight of the normals (metres): keeps the curve off creases; 0: none")
         ->check(at_least_zero())
+        ->capture_default_str();
+    app->add_option("--corners", o->corners, "Points, counted from 0, where the curve may have a corner: 2,5")
+        ->delimiter(',')
+        ->type_name("N,...");
+    add_choice(*app, "--fit", o->fit, fit_names(),
+               "Also writes the curve as few cubic pieces: Bezier's control points, or keys with derivatives as glTF's "
+               "CUBICSPLINE has them");
+    app->add_option("--fit-tolerance", o->fit_tolerance, "How far these may be from the curve (metres)")
+        ->check(above_zero())
+        ->capture_default_str();
+    app->add_option("--fit-output", o->fit_output, "Where they are written")->type_name("FILE.json");
+    app->add_flag("--over-triangles", o->over_triangles,
+                  "Of a mesh: a curve over its triangles, made at once, in place of the one of least energy");
+    app->add_flag(
+        "--on-mesh", o->on_mesh,
+        "Of a mesh: lays the result onto its triangles, so that it can be cut in; the report says how far its "
+        "points moved");
+    app->add_option("--offset", o->offset,
+                    "With --on-mesh: a curve so far to the left of it (metres), over the triangles")
+        ->check(finite())
         ->capture_default_str();
     app->add_flag("--inside", o->inside, "Of an open mesh: keeps the curve between its borders");
     app->add_option("--layer", o->layer,

@@ -1543,6 +1543,8 @@ struct SplineView {
     uint32_t projections{};
     /// number of held_nodes; 0 while running
     uint32_t held_count{};
+    /// nonzero: the curve over triangles, for now or in the end
+    uint32_t on_triangles{};
     /// with all weights
     double energy{};
     /// E2: exact for the spline of R^n through the nodes
@@ -1557,6 +1559,26 @@ struct SplineView {
     double residual{};
     /// metres: what the nodes are relative to: the manifold's origin; on FLG_MANIFOLD_SHAPE_SPACE the descriptor's
     double origin[3]{};
+    /// one per node, where asked for: the nearest point of the mesh's triangles, as they were when the spline was made.
+    /// Null else, and while running
+    Span<const FlgSurfacePoint> surface_points;
+    /// metres: of these, the largest distance from its node
+    double largest_moved{};
+    /// The curve as cubic pieces from key to key, where asked for; null and 0 else, and while running. As glTF's
+    /// CUBICSPLINE has it: an animation's output is arriving, point, leaving for each key. Bezier's points from a key
+    /// to the next, h later in parameter: point, point + h / 3 leaving, next point - h / 3 next arriving, next point.
+    /// There is a key at each given point; a closed curve's last key is its first again.
+    uint32_t key_count{};
+    /// ascending; a closed curve's with handles begin at the first one
+    Span<const double> key_parameters;
+    /// n per key
+    Span<const double> key_points;
+    /// n per key: the derivative by the parameter before it
+    Span<const double> key_arriving;
+    /// likewise after it: the same but at handles and, with E1, at given points
+    Span<const double> key_leaving;
+    /// metres: the pieces' largest distance from the cubic spline through the nodes
+    double largest_key_error{};
 
     /// Empty.
     SplineView() { flgSplineViewInit(&c_, detail::size_of<FlgSplineView>); }
@@ -1571,18 +1593,27 @@ struct SplineView {
         rounds = c.rounds;
         projections = c.projections;
         held_count = c.held_count;
+        on_triangles = c.on_triangles;
         energy = c.energy;
         bending = c.bending;
         stretching = c.stretching;
         length = c.length;
         residual = c.residual;
         for (int i = 0; i < 3; ++i) origin[i] = c.origin[i];
+        largest_moved = c.largest_moved;
+        key_count = c.key_count;
+        largest_key_error = c.largest_key_error;
         nodes = detail::span(c.nodes, std::size_t{ambient} * node_count);
         parameters = detail::span(c.parameters, std::size_t{node_count} + (closed != 0));
         normals = detail::span(c.normals, std::size_t{3} * node_count);
         point_nodes = detail::span(c.point_nodes, point_count);
         held_nodes = detail::span(c.held_nodes, held_count);
         offsets = detail::span(c.offsets, point_count);
+        surface_points = detail::span(c.surface_points, node_count);
+        key_parameters = detail::span(c.key_parameters, key_count);
+        key_points = detail::span(c.key_points, key_count);
+        key_arriving = detail::span(c.key_arriving, key_count);
+        key_leaving = detail::span(c.key_leaving, key_count);
     }
     /// The C struct, for C functions.
     const FlgSplineView& get() const noexcept { return c_; }
@@ -2833,6 +2864,14 @@ struct ObstaclesDesc : FlgObstaclesDesc {
     void set_obstacles(std::initializer_list<FlgObstacle>) = delete;
 };
 
+/// What a curve does at one of its given points besides passing through: leave in a direction, or turn a corner.
+struct SplineHandle : FlgSplineHandle {
+    /// The defaults.
+    SplineHandle() { flgSplineHandleInit(this, detail::size_of<FlgSplineHandle>); }
+    /// Of the C struct.
+    SplineHandle(const FlgSplineHandle& c) : FlgSplineHandle(c) {}
+};
+
 /// FlgSplineDesc with its defaults.
 struct SplineDesc : FlgSplineDesc {
     /// The defaults.
@@ -2858,6 +2897,33 @@ struct SplineDesc : FlgSplineDesc {
     }
     /// A list would end before the descriptor is used.
     void set_sides(std::initializer_list<FlgObstacleSide>) = delete;
+    /// Sets handles and handle_count. The array must live until the descriptor is used.
+    void set_handles(Span<const FlgSplineHandle> values) {
+        handles = values.data();
+        handle_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_handles(std::initializer_list<FlgSplineHandle>) = delete;
+    /// Sets softness and point_count. The array must live until the descriptor is used.
+    void set_softness(Span<const double> values) {
+        softness = values.data();
+        point_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_softness(std::initializer_list<double>) = delete;
+};
+
+/// FlgSplineTraceDesc with its defaults.
+struct SplineTraceDesc : FlgSplineTraceDesc {
+    /// The defaults.
+    SplineTraceDesc() { flgSplineTraceDescInit(this, detail::size_of<FlgSplineTraceDesc>); }
+    /// Of the C struct.
+    SplineTraceDesc(const FlgSplineTraceDesc& c) : FlgSplineTraceDesc(c) {}
+    /// The defaults, with spline.
+    SplineTraceDesc(FlgSpline spline_) {
+        flgSplineTraceDescInit(this, detail::size_of<FlgSplineTraceDesc>);
+        spline = spline_;
+    }
 };
 
 /// FlgSplineSampleDesc with its defaults.
@@ -3895,6 +3961,20 @@ public:
         return detail::made(result, SplineView(out_view));
     }
 
+    /// Starts a job that lays a spline onto the triangles of its mesh, as that is by then: a curve to cut along
+    /// (flgSurfaceCutCurves) or to grow from. Its nodes go to the nearest points of triangles; from one to the next it
+    /// follows the plane through both and the surface's normal and, where no such way leads there, a shortest path.
+    /// Cost: about 2 us a node and 100 ns a triangle.
+    /// Calls flgSplineTrace.
+    Result<SurfaceCurves> trace(SplineTraceDesc desc = {}, Job* out_job = nullptr) const {
+        desc.spline = handle_;
+        FlgSurfaceCurves out_curves{};
+        FlgJob job_made{};
+        const FlgResult result = flgSplineTrace(context_, &desc, &out_curves, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, SurfaceCurves(context_, out_curves));
+    }
+
     /// Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in R^3,
     /// NORMAL. Stylize it in the surface's frame (FLG_FRAME_METHOD_SUPPLIED), draw it, project it, or cut along it.
     /// Cost: about 3 ns a node.
@@ -4763,9 +4843,12 @@ public:
     /// curve can be moved to: a chain of nodes on the manifold whose fourth derivative (E1: second) has no tangential
     /// part between the given points. Fails with FLG_ERROR_INVALID_ARGUMENT if a point cannot be projected, two
     /// consecutive points coincide, or no path leads from one to the next (add points between them). Antipodal points
-    /// of a sphere give a half circle, always the same one. Two points give a geodesic, also with E2. On a mesh there
-    /// is a way between any two points of one connected part. If rounds run out or rounding stops progress, the curve
-    /// is still available, and the view says so. Cost: 1 us a node and round on a mesh, and 3 to 8 rounds.
+    /// of a sphere give a half circle, always the same one. Two points give a geodesic, also with E2. If rounds run out
+    /// or rounding stops progress, the curve is still available, and the view says so. On a mesh there is a curve
+    /// through any points of one connected part: where the smooth surface can't be reached the result is a curve of
+    /// Bezier segments over the triangles (FLG_SPLINE_ENDING_TRIANGLES), with a tangent everywhere but not of least
+    /// energy. With partial_results that is also what is seen first, unless there is a warm_start. Cost: 1 us a node
+    /// and round on a mesh, and 3 to 8 rounds; the curve over triangles, 10 us a node.
     /// Calls flgSplineCreate.
     Result<Spline> spline(const SplineDesc& desc, Job* out_job = nullptr) const {
         FlgSpline out_spline{};

@@ -293,6 +293,17 @@ typedef enum FlgSplineStart {
     FLG_SPLINE_START_FORCE_32BIT = 0x7fffffff
 } FlgSplineStart;
 
+/* What a curve does at one of its given points besides passing through: leave in a direction, or turn a corner. */
+typedef struct FlgSplineHandle {
+    uint32_t struct_size; /* the same of all handles of a spline */
+    uint32_t point;       /* the given point's index */
+    const double* slope;  /* ambient numbers, not all 0: the derivative by the parameter there, of which the part
+                             tangent to the manifold counts. Null: the curve may have a corner there, as two splines
+                             that share the point. Default null */
+} FlgSplineHandle;
+
+FLG_API FlgResult flgSplineHandleInit(FlgSplineHandle* handle, uint32_t struct_size);
+
 typedef struct FlgSplineDesc {
     uint32_t struct_size;
     uint32_t point_count;     /* 2 to 65536, closed: at least 3 (1 and 2 less with a `curve`) */
@@ -345,6 +356,24 @@ typedef struct FlgSplineDesc {
     const FlgObstacleSide* sides; /* how the initial curve passes; default null: the shortest way */
     double obstacle_radius;       /* 1e-5 to 0.1. Default 1e-3 */
     double origin[3];             /* metres: what `points` and `curve` are relative to; 0 unless in R^3. Default 0 */
+    uint32_t on_triangles;   /* nonzero: on the manifold of a mesh, the result is the curve over its triangles that is
+                                else only shown first (see flgSplineCreate): some ms, whatever the mesh. `energy` and
+                                what belongs to it count for nothing. Refused together with obstacles. Default 0 */
+    uint32_t surface_points; /* nonzero: the view gives, for each node, the nearest point of the mesh's triangles. The
+                                manifold must be that of a mesh. Default 0 */
+    const FlgSplineHandle* handles; /* in any order, one at most per point. Between them the spline is minimized piece
+                                       by piece, and its rounds are not shown; points with a handle are passed exactly,
+                                       whatever the smoothing. Refused together with obstacles or `curve`. Default
+                                       null */
+    uint32_t handle_count;
+    uint32_t reserved;
+    const double* softness; /* one per point: its own `smoothing`, from 0 (passes through) to 1e30. Refused together
+                               with obstacles. Default null: `smoothing` for all */
+    const double* tensions; /* one per segment from a given point to the next, closed: also for the return: factors of
+                               `tension`, 0 to 1e12; for FLG_SPLINE_ENERGY_ET. Refused together with obstacles. Default
+                               null: 1 */
+    double key_tolerance;   /* metres; above 0: the view also gives the curve as few cubic pieces, at most so far from
+                               it. Default 0: none */
 } FlgSplineDesc;
 
 FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
@@ -353,9 +382,12 @@ FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
  * can be moved to: a chain of nodes on the manifold whose fourth derivative (E1: second) has no tangential part between
  * the given points. Fails with FLG_ERROR_INVALID_ARGUMENT if a point cannot be projected, two consecutive points
  * coincide, or no path leads from one to the next (add points between them). Antipodal points of a sphere give a half
- * circle, always the same one. Two points give a geodesic, also with E2. On a mesh there is a way between any two
- * points of one connected part. If rounds run out or rounding stops progress,
- * the curve is still available, and the view says so. Cost: 1 us a node and round on a mesh, and 3 to 8 rounds. */
+ * circle, always the same one. Two points give a geodesic, also with E2. If rounds run out or rounding stops progress,
+ * the curve is still available, and the view says so.
+ * On a mesh there is a curve through any points of one connected part: where the smooth surface can't be reached the
+ * result is a curve of Bezier segments over the triangles (FLG_SPLINE_ENDING_TRIANGLES), with a tangent everywhere but
+ * not of least energy. With partial_results that is also what is seen first, unless there is a warm_start.
+ * Cost: 1 us a node and round on a mesh, and 3 to 8 rounds; the curve over triangles, 10 us a node. */
 FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline,
                                   FlgJob* out_job);
 
@@ -368,6 +400,9 @@ typedef enum FlgSplineEnding {
     FLG_SPLINE_ENDING_ROUNDS = 3,    /* max_rounds was reached */
     FLG_SPLINE_ENDING_STALLED = 4,   /* no step lowers the energy: more than a 16th of the nodes and 3 would be held.
                                         The curve is the best found; see the residual */
+    FLG_SPLINE_ENDING_TRIANGLES = 5, /* the curve over the triangles of a mesh: it was asked for, or the smooth surface
+                                        can't be reached somewhere. Nodes lie on triangles, given points at the nearest
+                                        points of these */
     FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnding;
 
@@ -390,7 +425,7 @@ typedef struct FlgSplineView {
     uint32_t rounds;             /* of the optimization */
     uint32_t projections;        /* projections of all nodes onto the manifold */
     uint32_t held_count;         /* number of held_nodes; 0 while running */
-    uint32_t reserved;
+    uint32_t on_triangles;       /* nonzero: the curve over triangles, for now or in the end */
     double energy;               /* with all weights */
     double bending;              /* E2: exact for the spline of R^n through the nodes */
     double stretching;           /* E1 of the chain */
@@ -401,6 +436,20 @@ typedef struct FlgSplineView {
     double residual;
     double origin[3]; /* metres: what the nodes are relative to: the manifold's origin; on FLG_MANIFOLD_SHAPE_SPACE the
                          descriptor's */
+    const FlgSurfacePoint* surface_points; /* one per node, where asked for: the nearest point of the mesh's triangles,
+                                              as they were when the spline was made. Null else, and while running */
+    double largest_moved; /* metres: of these, the largest distance from its node */
+    /* The curve as cubic pieces from key to key, where asked for; null and 0 else, and while running. As glTF's
+     * CUBICSPLINE has it: an animation's output is arriving, point, leaving for each key. Bezier's points from a key to
+     * the next, h later in parameter: point, point + h / 3 leaving, next point - h / 3 next arriving, next point. There
+     * is a key at each given point; a closed curve's last key is its first again. */
+    uint32_t key_count;
+    uint32_t reserved;
+    const double* key_parameters; /* ascending; a closed curve's with handles begin at the first one */
+    const double* key_points;     /* n per key */
+    const double* key_arriving;   /* n per key: the derivative by the parameter before it */
+    const double* key_leaving;    /* likewise after it: the same but at handles and, with E1, at given points */
+    double largest_key_error;     /* metres: the pieces' largest distance from the cubic spline through the nodes */
 } FlgSplineView;
 
 FLG_API FlgResult flgSplineViewInit(FlgSplineView* view, uint32_t struct_size);
@@ -408,6 +457,24 @@ FLG_API FlgResult flgSplineViewInit(FlgSplineView* view, uint32_t struct_size);
 /* The arrays live until the spline is released; while it runs, until the next flgContextTick. FLG_NOT_READY until
  * its job is published (with partial_results: until its first round), the job's error if it failed. */
 FLG_API FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view);
+
+typedef struct FlgSplineTraceDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const FlgJobOptions* job;
+    FlgSpline spline; /* on the manifold of a mesh */
+    double offset;    /* metres to the left of the curve, seen from outside, over the triangles: each node goes straight
+                         that far, or to the border. Larger than a bend's radius it makes loops there. Default 0 */
+} FlgSplineTraceDesc;
+
+FLG_API FlgResult flgSplineTraceDescInit(FlgSplineTraceDesc* desc, uint32_t struct_size);
+
+/* Starts a job that lays a spline onto the triangles of its mesh, as that is by then: a curve to cut along
+ * (flgSurfaceCutCurves) or to grow from. Its nodes go to the nearest points of triangles; from one to the next it
+ * follows the plane through both and the surface's normal and, where no such way leads there, a shortest path. Cost:
+ * about 2 us a node and 100 ns a triangle. */
+FLG_API FlgResult flgSplineTrace(FlgContext context, const FlgSplineTraceDesc* desc, FlgSurfaceCurves* out_curves,
+                                 FlgJob* out_job);
 
 typedef struct FlgSplineSampleDesc {
     uint32_t struct_size;
@@ -486,6 +553,18 @@ static inline FlgSplineView flgSplineViewDefaults(void) {
     FlgSplineView view;
     flgSplineViewInit(&view, (uint32_t)sizeof view);
     return view;
+}
+
+static inline FlgSplineTraceDesc flgSplineTraceDefaults(void) {
+    FlgSplineTraceDesc desc;
+    flgSplineTraceDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSplineHandle flgSplineHandleDefaults(void) {
+    FlgSplineHandle handle;
+    flgSplineHandleInit(&handle, (uint32_t)sizeof handle);
+    return handle;
 }
 
 static inline FlgSplineSampleDesc flgSplineSampleDefaults(void) {

@@ -2,10 +2,13 @@
 // Manifolds as hosts hold them.
 #pragma once
 
+#include <optional>
+
 #include "core/origin.h"
 #include "filigree/filigree_spline.h"
 #include "runtime/product.h"
 #include "splines/manifolds/manifold.h"
+#include "surfaces/mesh/nearest_points.h"
 #include "surfaces/surface.h"
 
 namespace flg {
@@ -20,7 +23,9 @@ public:
     std::shared_ptr<const Manifold> manifold;     // there once the job that makes it is done
     // A mesh that it is made of, for first curves along it where projected chords do not lead there; or null.
     std::shared_ptr<Surface> surface;
-    Buffer<uint32_t> components;  // of its vertices; empty if it is all of one piece
+    Buffer<uint32_t> components;           // of its vertices; empty if it is all of one piece
+    std::optional<NearestPoints> nearest;  // of its triangles, as many as there were
+    uint32_t nearest_triangles = 0;
     // How far vertices or points it is made of are from it, at most and root mean square, m; 0 where it is exact.
     double largest_deviation = 0, mean_deviation = 0;
     // So many coordinates of a point are given and shown, the first ones; the others come from projection. Set at once.
@@ -28,6 +33,8 @@ public:
     ManifoldKind kind = ManifoldKind::other;
     // Whether it is a surface in R^3.
     bool has_normals() const { return manifold->ambient() == 3 && manifold->dimension() == 2; }
+    // Whether curves can be laid over its triangles.
+    bool has_triangles() const { return surface && has_normals(); }
 
     const FlgManifoldView& view() const { return view_; }
 
@@ -46,5 +53,13 @@ private:
 
     FlgManifoldView view_{};
 };
+
+// To search the triangles of held.surface: those that are there, or anew after a cut.
+inline Task<NearestPoints> nearest_on(Pace& pace, const ManifoldProduct& held) {
+    if (held.nearest && held.nearest_triangles == held.surface->mesh().triangle_count()) co_return *held.nearest;
+    NearestPoints nearest(held.surface->mesh());
+    co_await build(pace, nearest);
+    co_return nearest;
+}
 
 }  // namespace flg

@@ -118,7 +118,7 @@ Task<void> refuse_parts(Pace& pace, const ManifoldProduct& held, GivenPoints giv
     std::pmr::vector<uint32_t> parts(pace.memory());
     for (uint32_t i = 0; i < count; ++i) {
         const double* const x = &given.values[size_t{3} * i];
-        nearest.begin({static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+        nearest.begin(Vec3(x[0], x[1], x[2]));
         while (!nearest.find(find_chunk)) co_await pace;
         // Vertices that a cut has added since are in no list; a triangle that has only such ones is not asked.
         uint32_t part = no_index;
@@ -148,7 +148,7 @@ Task<void> follow_mesh(Pace& pace, const ManifoldProduct& held, GivenPoints give
     paths.offsets[1] = 2;
     for (uint32_t e = 0; e < 2; ++e) {
         const double* const x = &given.values[size_t{3} * ends[e]];
-        nearest.begin({static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+        nearest.begin(Vec3(x[0], x[1], x[2]));
         while (!nearest.find(find_chunk)) co_await pace;
         paths.points[e] = nearest.found();
     }
@@ -179,8 +179,7 @@ Task<void> find_first_curve(Pace& pace, const ManifoldProduct& held, GivenPoints
     out.points.assign(given.values.begin(), given.values.begin() + n);
     std::optional<NearestPoints> nearest;
     if (held.components.size() > 0) {
-        nearest.emplace(held.surface->mesh());
-        co_await build(pace, *nearest);
+        nearest.emplace(co_await nearest_on(pace, held));
         co_await refuse_parts(pace, held, given, *nearest);
     }
     for (uint32_t s = 0; s < segments; ++s) {
@@ -215,10 +214,7 @@ Task<void> find_first_curve(Pace& pace, const ManifoldProduct& held, GivenPoints
                               "%s: no way over the surface was found from point %u to point %u; put points between",
                               given.argument, s, (s + 1) % count);
             }
-            if (!nearest) {
-                nearest.emplace(held.surface->mesh());
-                co_await build(pace, *nearest);
-            }
+            if (!nearest) nearest.emplace(co_await nearest_on(pace, held));
             co_await follow_mesh(pace, held, given, s, *nearest, out);
         }
         out.ends.push_back(static_cast<uint32_t>(out.points.size() / n));

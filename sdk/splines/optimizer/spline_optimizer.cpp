@@ -250,6 +250,11 @@ SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
     trial_.hints = Buffer<double>(size_t{nodes_} * hint_size_, memory);
     tension_ = std::max(problem.tension, problem.first_tension);
     pull_ = problem.smoothing > 0 ? 1 / problem.smoothing : 0;
+    if (problem.softness.size() > 0) {
+        pull_shares_ = Buffer<double>(problem.softness.size(), memory);
+        pull_ = 0;
+    }
+    if (problem.tensions.size() > 0) tension_shares_ = Buffer<double>(nodes_, memory);
 }
 
 Task<void> SplineOptimizer::minimize(Pace& pace, SplineOptimizer& s) {
@@ -339,6 +344,12 @@ Task<void> SplineOptimizer::hold_jumping(Pace& pace, SplineOptimizer& s) {
 
 Task<void> SplineOptimizer::begin(Pace& pace, SplineOptimizer& s) {
     s.has_begun_ = true;
+    const Buffer<double>& softness = s.problem_.softness;
+    co_await each(pace, softness.size(), Cost::some_ns, [&](uint32_t k) {
+        if (softness[k] > 0) s.pull_ = std::max(s.pull_, 1 / softness[k]);
+    });
+    co_await each(pace, softness.size(), Cost::some_ns,
+                  [&](uint32_t k) { s.pull_shares_[k] = softness[k] > 0 ? 1 / softness[k] / s.pull_ : 0; });
     co_await each_by_work(pace, s.nodes_, Cost::microseconds, [&s](uint32_t node) {
         s.project_first(node);
         return projection_work;
@@ -370,7 +381,7 @@ Task<void> SplineOptimizer::measure(Pace& pace, SplineOptimizer& s, Curve& curve
         }
         co_await Moments::solve(pace, s.moments_, curve.points.data(), s.moment_.data());
     }
-    curve.bending = curve.stretching = curve.misfit = 0;
+    curve.bending = curve.stretching = curve.tensed = curve.misfit = 0;
     co_await each(pace, s.nodes_, Cost::tens_of_ns, [&s, &curve](uint32_t node) { s.add_energy(curve, node); });
 }
 
@@ -479,6 +490,10 @@ void SplineOptimizer::project_first(uint32_t node) {
     if (!remembers_) std::fill_n(hint_of(now_, node), hint_size_, 0.0);
     knot_of_[node] = no_knot;
     if (next_knot_ < problem_.knots.size() && problem_.knots[next_knot_] == node) knot_of_[node] = next_knot_++;
+    if (tension_shares_.size() > 0) {
+        const size_t segment = std::min<size_t>(next_knot_, problem_.tensions.size());
+        tension_shares_[node] = problem_.tensions[segment - 1];
+    }
     double* const x = at(now_, node);
     if (!is_free(node)) std::copy_n(&problem_.given[size_t{knot_of_[node]} * n_], n_, x);
     if (!problem_.manifold->project(x, hint_of(now_, node))) {
@@ -528,12 +543,12 @@ void SplineOptimizer::set_end(bool last, Curve& curve) {
         return;
     }
     // An end that moves would turn these directions, which the gradient does not know of: natural in all of them.
-    if (pull_ > 0) {
+    const uint32_t node = last ? nodes_ - 1 : 0;
+    if (pull_at(node) > 0) {
         std::fill_n(end.normals, n_ * n_, 0.0);
         return;
     }
     double basis[Manifold::max_dimension * Manifold::max_ambient];
-    const uint32_t node = last ? nodes_ - 1 : 0;
     problem_.manifold->tangent_basis(at(curve, node), hint_of(curve, node), basis);
     for (uint32_t a = 0; a < k_; ++a) {
         for (uint32_t r = 0; r < n_; ++r) {
@@ -548,11 +563,13 @@ void SplineOptimizer::add_energy(Curve& curve, uint32_t node) {
     if (bends()) curve.bending += moments_.energy(node, curve.points.data(), &moment_[size_t{node} * n_]);
     if (has_next(node)) {
         const double length = distance_between(x, at(curve, next(node)), n_);
-        curve.stretching += length * length / moments_.step_after(node);
+        const double stretching = length * length / moments_.step_after(node);
+        curve.stretching += stretching;
+        curve.tensed += tension_shares_.size() > 0 ? tension_shares_[node] * stretching : stretching;
     }
-    if (knot_of_[node] == no_knot || pull_ == 0) return;
+    if (pull_at(node) == 0) return;
     const double off = distance_between(x, &problem_.given[size_t{knot_of_[node]} * n_], n_);
-    curve.misfit += off * off;
+    curve.misfit += pull_shares_.size() > 0 ? pull_shares_[knot_of_[node]] * off * off : off * off;
 }
 
 void SplineOptimizer::find_gradient(uint32_t node) {
@@ -560,20 +577,20 @@ void SplineOptimizer::find_gradient(uint32_t node) {
     double* const g = gradient_.make(node);
     const double* const x = at(now_, node);
     std::fill_n(g, n_, 0.0);
-    const auto add = [&](uint32_t other, double step) {
+    const auto add = [&](uint32_t other, double step, double tension) {
         const double* const y = at(now_, other);
-        for (uint32_t c = 0; c < n_; ++c) g[c] += tension_ / step * (x[c] - y[c]);
+        for (uint32_t c = 0; c < n_; ++c) g[c] += tension / step * (x[c] - y[c]);
         if (!bends()) return;
         const double* const own = &moment_[size_t{node} * n_];
         const double* const its = &moment_[size_t{other} * n_];
         for (uint32_t c = 0; c < n_; ++c) g[c] += (its[c] - own[c]) / step;
     };
-    if (has_next(node)) add(next(node), moments_.step_after(node));
-    if (has_previous(node)) add(previous(node), moments_.step_before(node));
+    if (has_next(node)) add(next(node), moments_.step_after(node), tension_after(node));
+    if (has_previous(node)) add(previous(node), moments_.step_before(node), tension_after(previous(node)));
     forces_ += std::sqrt(inner_product(g, g, n_));
-    if (knot_of_[node] != no_knot && pull_ > 0) {
+    if (const double pull = pull_at(node); pull > 0) {
         const double* const given = &problem_.given[size_t{knot_of_[node]} * n_];
-        for (uint32_t c = 0; c < n_; ++c) g[c] += pull_ * (x[c] - given[c]);
+        for (uint32_t c = 0; c < n_; ++c) g[c] += pull * (x[c] - given[c]);
     }
 }
 
@@ -630,7 +647,12 @@ void SplineOptimizer::assemble(uint32_t node) {
         for (uint32_t c = 0; c < n_; ++c) right[c] = -own[c];
     }
     const bool free = is_free(node);
-    const double pull = knot_of_[node] != no_knot ? pull_ : 0;
+    const double pull = pull_at(node);
+    double taut = tension_ * stiffness;
+    if (tension_shares_.size() > 0) {
+        taut =
+            (before > 0 ? tension_after(previous(node)) / before : 0) + (after > 0 ? tension_after(node) / after : 0);
+    }
     double form[Manifold::max_dimension * Manifold::max_dimension];
     if (free) {
         std::copy_n(form_[node], k_ * k_, form);
@@ -638,7 +660,7 @@ void SplineOptimizer::assemble(uint32_t node) {
     }
     for (uint32_t a = 0; a < k_; ++a) {
         double* const row = diagonal + (moments + a) * b;
-        row[moments + a] = free ? tension_ * stiffness + pull : 1;
+        row[moments + a] = free ? taut + pull : 1;
         if (!free) continue;
         direction(node, a, own);
         // What bending does not say is the rest of the gradient.
@@ -672,7 +694,7 @@ void SplineOptimizer::assemble(uint32_t node) {
         direction(other, a, its);
         for (uint32_t e = 0; free && e < k_; ++e) {
             direction(node, e, own);
-            coupling[(moments + e) * b + moments + a] = -tension_ / after * inner_product(own, its, n_);
+            coupling[(moments + e) * b + moments + a] = -tension_after(node) / after * inner_product(own, its, n_);
         }
         restrict_moment(node, its);
         for (uint32_t r = 0; r < moments; ++r) coupling[r * b + moments + a] = its[r] / after;

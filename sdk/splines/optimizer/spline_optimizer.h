@@ -105,17 +105,20 @@ private:
     double end_moments_[2][Manifold::max_ambient] = {};
 };
 
-// What is sought, and where to begin. Energies: bending * E2 + tension * E1 + sum |x - given|^2 / smoothing.
+// What is sought, and where to begin. Energies: bending * E2 + tension * E1 + sum |x - given|^2 / smoothing; E1 of each
+// segment times its tension's share, and each given point with a smoothing of its own.
 struct SplineProblem {
     const Manifold* manifold = nullptr;
     bool closed = false;
-    double bending = 1;      // 1, or 0 for E1
-    double tension = 0;      // w, at least 0; above 0 if bending is 0
-    double smoothing = 0;    // 0: the given points are interpolated
-    Buffer<double> points;   // the first curve, n numbers a node; at least 2 nodes, in a closed curve 3
-    Buffer<double> hints;    // of the nodes (Manifold::hint_size()), from where they were before; may be empty
-    Buffer<uint32_t> knots;  // ascending: the nodes of given points; the first is 0, and an open curve's last the last
-    Buffer<double> given;    // n numbers a knot, on the manifold
+    double bending = 1;       // 1, or 0 for E1
+    double tension = 0;       // w, at least 0; above 0 if bending is 0
+    double smoothing = 0;     // 0: the given points are interpolated
+    Buffer<double> softness;  // one a knot, in place of `smoothing`; empty: that of all
+    Buffer<double> tensions;  // one a segment: shares of `tension`, at least 0; empty: 1
+    Buffer<double> points;    // the first curve, n numbers a node; at least 2 nodes, in a closed curve 3
+    Buffer<double> hints;     // of the nodes (Manifold::hint_size()), from where they were before; may be empty
+    Buffer<uint32_t> knots;   // ascending: the nodes of given points; the first is 0, and an open curve's last the last
+    Buffer<double> given;     // n numbers a knot, on the manifold
     Buffer<double> parameters;  // one a knot, in a closed curve one more; ascending. Empty: lengths
     Buffer<double> shares;      // one an interval, of its segment's parameters; empty: those of a segment are equal
     // Open curves: whether the derivative is prescribed at the first, the last point.
@@ -177,19 +180,28 @@ public:
 private:
     struct Curve {
         Buffer<double> points, hints;
-        double bending = 0, stretching = 0, misfit = 0;  // E2, E1, sum |x - given|^2
+        double bending = 0, stretching = 0;  // E2, E1
+        double tensed = 0, misfit = 0;       // E1 by shares of tension; sum |x - given|^2 by shares of pull
     };
 
     static constexpr uint32_t no_knot = 0xffffffffu;
 
     double weighted(const Curve& curve) const {
-        return problem_.bending * curve.bending + tension_ * curve.stretching + pull_ * curve.misfit;
+        return problem_.bending * curve.bending + tension_ * curve.tensed + pull_ * curve.misfit;
     }
     double* at(Curve& curve, uint32_t node) { return &curve.points[size_t{node} * n_]; }
     double* hint_of(Curve& curve, uint32_t node) { return curve.hints.data() + size_t{node} * hint_size_; }
     const double* basis_of(uint32_t node) const { return basis_[node]; }
     bool bends() const { return problem_.bending > 0; }
-    bool is_free(uint32_t node) const { return !is_held(node) && (pull_ > 0 || knot_of_[node] == no_knot); }
+    bool is_free(uint32_t node) const { return !is_held(node) && (knot_of_[node] == no_knot || pull_at(node) > 0); }
+    // Of the given point that a node is held to; 0 where it is fixed, or there is none.
+    double pull_at(uint32_t node) const {
+        if (knot_of_[node] == no_knot) return 0;
+        return pull_shares_.size() > 0 ? pull_ * pull_shares_[knot_of_[node]] : pull_;
+    }
+    double tension_after(uint32_t node) const {
+        return tension_shares_.size() > 0 ? tension_ * tension_shares_[node] : tension_;
+    }
     // More are no exceptions.
     uint32_t max_held() const { return nodes_ / 16 + 3; }
     uint32_t next(uint32_t node) const { return node + 1 == nodes_ ? 0 : node + 1; }
@@ -236,6 +248,8 @@ private:
     RowBlocks<double> basis_, form_, shift_;  // k x n, k x k, k a node
     Buffer<uint32_t> knot_of_;                // by node: its knot, or no_knot
     Buffer<uint8_t> is_held_;                 // by node
+    Buffer<double> pull_shares_;              // by knot, of the strongest pull; empty: 1
+    Buffer<double> tension_shares_;           // by node, of the interval after it; empty: 1
     Buffer<double> lengths_, spans_;  // one a knot, of the segment that it begins: of the chain, and of parameters
     BlockTridiagonal system_;
 

@@ -87,12 +87,13 @@ Task<void> build(Pace& pace, NearestPoints& nearest) {
     nearest.choose_cells();
     const auto& cells = nearest.cells_;
     const auto cell_of = [&nearest](uint32_t t) { return nearest.index_of(nearest.cell_of(nearest.middle(t))); };
+    Groups groups = co_await group_by(pace, triangles, size_t(cells[0]) * size_t(cells[1]) * size_t(cells[2]), cell_of);
     nearest.of_cell_ =
-        co_await group_by(pace, triangles, size_t(cells[0]) * size_t(cells[1]) * size_t(cells[2]), cell_of);
+        std::allocate_shared<Groups>(std::pmr::polymorphic_allocator<Groups>(pace.memory()), std::move(groups));
 }
 
-void NearestPoints::begin(const Position& place) {
-    place_ = load_vec3(place.data());
+void NearestPoints::begin(const Vec3& place) {
+    place_ = place;
     centre_ = cell_of(place_);
     last_ring_ = 0;
     for (size_t k = 0; k < 3; ++k) {
@@ -118,8 +119,8 @@ bool NearestPoints::next_cell() {
     const auto away = [&](size_t k) { return std::abs(cell_[k] - centre_[k]); };
     if (std::max({away(0), away(1), away(2)}) == ring_) {
         const uint32_t index = index_of(cell_);
-        next_ = of_cell_.offsets[index];
-        end_ = of_cell_.offsets[index + 1];
+        next_ = of_cell_->offsets[index];
+        end_ = of_cell_->offsets[index + 1];
         ++cell_[0];
     } else {
         cell_[0] = centre_[0] + ring_;  // may lie beyond the grid
@@ -137,6 +138,8 @@ void NearestPoints::try_triangle(uint32_t triangle) {
         in_triangle(place_, mesh_.position(corners[0]), mesh_.position(corners[1]), mesh_.position(corners[2]));
     if (near.square > square_ || (near.square == square_ && triangle > found_.triangle)) return;
     square_ = near.square;
+    const Vec3 a = mesh_.position(corners[0]);
+    found_place_ = a + near.u * (mesh_.position(corners[1]) - a) + near.v * (mesh_.position(corners[2]) - a);
     const auto u = static_cast<float>(std::clamp(near.u, 0.0, 1.0));
     found_ = {triangle, u, std::min(static_cast<float>(std::clamp(near.v, 0.0, 1.0)), 1 - u)};
 }
@@ -144,7 +147,7 @@ void NearestPoints::try_triangle(uint32_t triangle) {
 bool NearestPoints::find(uint32_t count) {
     for (; count > 0; --count) {
         if (next_ < end_) {
-            try_triangle(of_cell_.items[next_++]);
+            try_triangle(of_cell_->items[next_++]);
         } else if (in_ring_) {
             in_ring_ = next_cell();
         } else {

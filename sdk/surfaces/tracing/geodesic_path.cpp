@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "runtime/each.h"
@@ -55,9 +56,10 @@ uint32_t next_about(const Mesh& mesh, const RegionSet& regions, uint32_t vertex,
 // only the last its end; it never goes back to where it has just come from. All of its triangles are of the regions.
 class GeodesicSleeve {
 public:
-    GeodesicSleeve(const Mesh& mesh, const RegionSet& regions, const SurfacePlace& from, const SurfacePlace& to,
-                   Memory* memory)
-        : mesh_(mesh), regions_(regions), from_(from), to_(to), triangles_(memory) {}
+    GeodesicSleeve(const Mesh& mesh, const RegionSet& regions, Memory* memory)
+        : mesh_(mesh), regions_(regions), triangles_(memory) {}
+
+    void begin(const SurfacePlace& from, const SurfacePlace& to);
 
     uint32_t size() const { return triangles_.size(); }
     uint32_t operator[](uint32_t i) const { return triangles_[i]; }
@@ -77,10 +79,16 @@ public:
 private:
     const Mesh& mesh_;
     const RegionSet& regions_;
-    const SurfacePlace from_, to_;
+    SurfacePlace from_{}, to_{};
     ReusedDeque<uint32_t> triangles_;
     bool complete_ = false;
 };
+
+void GeodesicSleeve::begin(const SurfacePlace& from, const SurfacePlace& to) {
+    from_ = from;
+    to_ = to;
+    clear();
+}
 
 void GeodesicSleeve::clear() {
     triangles_.clear();
@@ -339,23 +347,18 @@ IntegralCurveOptions descent_to(const Mesh& mesh, const SurfacePlace& to, std::a
     return options;
 }
 
-// The path as it is found, straightened and drawn. What returns a number returns what it cost, in units of about 50 ns.
+// A path as it is found, straightened and drawn, one after another in the same memory. What returns a number returns
+// what it cost, in units of about 50 ns.
 class PathSearch {
 public:
-    PathSearch(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to, const RegionSet& regions,
-               SurfaceCurves& out, Memory* memory)
+    PathSearch(const Mesh& mesh, const RegionSet& regions, Memory* memory)
         : mesh_(mesh),
           regions_(regions),
-          start_(from),
-          from_(place_in(mesh, from)),
-          to_(place_in(mesh, to)),
-          out_(out),
-          sleeves_{{mesh, regions, from_, to_, memory}, {mesh, regions, from_, to_, memory}},
+          sleeves_{{mesh, regions, memory}, {mesh, regions, memory}},
           funnel_(mesh, memory),
-          flips_(memory) {
-        // Where both are in one triangle there is nothing to trace.
-        if (is_open(from.triangle)) sleeve_->enter(from.triangle);
-    }
+          flips_(memory) {}
+
+    void begin(const SurfacePoint& from, const SurfacePoint& to);
 
     bool has_sleeve() const { return sleeve_->is_complete(); }
     const SurfacePlace& from() const { return from_; }
@@ -363,6 +366,8 @@ public:
 
     // The first sleeve, along the way down. It stays incomplete where that does not lead to the end.
     void begin_follow(const SurfaceCurves& way, IntegralCurveStop stop);
+    const Mesh& mesh() const { return mesh_; }
+    const RegionSet& regions() const { return regions_; }
     bool goes_on_following() const { return way_ != nullptr; }
     uint32_t follow_point();
     // Another first sleeve, triangle by triangle.
@@ -384,7 +389,7 @@ public:
     uint32_t flip_next();
     void end_flips() { std::swap(sleeve_, flipped_); }
 
-    void begin_draw();
+    void begin_draw(SurfaceCurves& out);
     bool goes_on_drawing() const { return !is_drawn_; }
     uint32_t draw_next();
     GeodesicPath result() const { return {true, length_, flips_.size() == 0}; }
@@ -406,9 +411,9 @@ private:
 
     const Mesh& mesh_;
     const RegionSet& regions_;
-    const SurfacePoint start_;
-    const SurfacePlace from_, to_;
-    SurfaceCurves& out_;
+    SurfacePoint start_{};
+    SurfacePlace from_{}, to_{};
+    SurfaceCurves* out_ = nullptr;
     const SurfaceCurves* way_ = nullptr;  // while it is followed
     IntegralCurveStop way_stop_{};
     GeodesicSleeve sleeves_[2];
@@ -426,6 +431,19 @@ private:
     double length_ = 0;
     double shortest_ = std::numeric_limits<double>::infinity();  // of all rounds
 };
+
+void PathSearch::begin(const SurfacePoint& from, const SurfacePoint& to) {
+    start_ = from;
+    from_ = place_in(mesh_, from);
+    to_ = place_in(mesh_, to);
+    for (GeodesicSleeve& sleeve : sleeves_) sleeve.begin(from_, to_);
+    flips_.clear();
+    way_ = nullptr;
+    idle_rounds_ = 0;
+    shortest_ = std::numeric_limits<double>::infinity();
+    // Where both are in one triangle there is nothing to trace.
+    if (is_open(from.triangle)) sleeve_->enter(from.triangle);
+}
 
 // Every stretch of the way down is in one triangle; what lies between two of them shares their common point.
 void PathSearch::begin_follow(const SurfaceCurves& way, IntegralCurveStop stop) {
@@ -552,13 +570,14 @@ bool PathSearch::begin_flips() {
     return true;
 }
 
-void PathSearch::begin_draw() {
+void PathSearch::begin_draw(SurfaceCurves& out) {
+    out_ = &out;
     is_drawn_ = from_ == to_;
     if (is_drawn_) return;
     straight_from_ = funnel_.start();
     drawn_ = from_;
     drawn_triangle_ = (*sleeve_)[0];
-    if (out_.points.size() > out_.offsets.back()) out_.points.pop_back();
+    if (out.points.size() > out.offsets.back()) out.points.pop_back();
 }
 
 uint32_t PathSearch::flip_next() {
@@ -581,7 +600,7 @@ void PathSearch::pass_through(const SurfacePlace& place, uint32_t triangle) {
     if (place != drawn_) {
         SurfacePoint point{};
         find_in(mesh_, drawn_, drawn_triangle_, point);
-        out_.points.push_back(point);
+        out_->points.push_back(point);
         drawn_ = place;
     }
     drawn_triangle_ = triangle;
@@ -609,38 +628,14 @@ uint32_t PathSearch::draw_next() {
         pass_through(to_, triangle);
         SurfacePoint last{};
         find_in(mesh_, to_, triangle, last);
-        out_.points.push_back(last);
+        out_->points.push_back(last);
         is_drawn_ = true;
     }
     return cost;
 }
 
-}  // namespace
-
-Task<GeodesicPath> add_geodesic_path(Pace& pace, const Mesh& mesh, SurfacePoint from, SurfacePoint to,
-                                     std::span<const float> distances, const RegionSet& regions, SurfaceCurves& out) {
-    PathSearch search(mesh, from, to, regions, out, pace.memory());
+Task<GeodesicPath> straighten(Pace& pace, PathSearch& search, SurfaceCurves& out) {
     Slice slice(Cost::tens_of_ns);
-    if (!search.has_sleeve() && !distances.empty()) {
-        std::array<uint32_t, 3> targets{};
-        const IntegralCurveOptions options = descent_to(mesh, search.to(), targets);
-        const std::span<const SurfacePoint> start(&from, 1);
-        SurfaceCurves way(pace.memory());
-        const std::pmr::deque<IntegralCurveEnd> ends =
-            co_await add_integral_curves(pace, mesh, distances, regions, start, options, way);
-        search.begin_follow(way, ends.front().stop);
-        while (search.goes_on_following())
-            if (slice.is_over(search.follow_point())) co_await pace;
-    }
-    if (!search.has_sleeve()) {
-        const std::pmr::vector<uint32_t> strip = co_await find_strip(pace, mesh, regions, search.from(), search.to());
-        search.begin_strip();
-        for (const uint32_t triangle : strip) {
-            search.take(triangle);
-            if (slice.is_over()) co_await pace;
-        }
-    }
-    if (!search.has_sleeve()) co_return GeodesicPath{};
     for (;;) {
         search.unfold();
         for (uint32_t cost = 0; search.unfold_gate(cost); cost = 0)
@@ -653,10 +648,64 @@ Task<GeodesicPath> add_geodesic_path(Pace& pace, const Mesh& mesh, SurfacePoint 
             if (slice.is_over(search.flip_next())) co_await pace;
         search.end_flips();
     }
-    search.begin_draw();
+    search.begin_draw(out);
     while (search.goes_on_drawing())
         if (slice.is_over(search.draw_next())) co_await pace;
     co_return search.result();
+}
+
+// The first sleeve along a way, and where that leads nowhere the shortest over centroids. False if there is none.
+Task<bool> find_sleeve(Pace& pace, PathSearch& search, const SurfaceCurves* way, IntegralCurveStop stop) {
+    Slice slice(Cost::tens_of_ns);
+    if (way && !search.has_sleeve()) {
+        search.begin_follow(*way, stop);
+        while (search.goes_on_following())
+            if (slice.is_over(search.follow_point())) co_await pace;
+    }
+    if (search.has_sleeve()) co_return true;
+    const std::pmr::vector<uint32_t> strip =
+        co_await find_strip(pace, search.mesh(), search.regions(), search.from(), search.to());
+    search.begin_strip();
+    for (const uint32_t triangle : strip) {
+        search.take(triangle);
+        if (slice.is_over()) co_await pace;
+    }
+    co_return search.has_sleeve();
+}
+
+}  // namespace
+
+Task<GeodesicPath> add_geodesic_path(Pace& pace, const Mesh& mesh, SurfacePoint from, SurfacePoint to,
+                                     std::span<const float> distances, const RegionSet& regions, SurfaceCurves& out) {
+    PathSearch search(mesh, regions, pace.memory());
+    search.begin(from, to);
+    SurfaceCurves way(pace.memory());
+    IntegralCurveStop stop{};
+    const bool descends = !search.has_sleeve() && !distances.empty();
+    if (descends) {
+        std::array<uint32_t, 3> targets{};
+        const IntegralCurveOptions options = descent_to(mesh, search.to(), targets);
+        const std::span<const SurfacePoint> start(&from, 1);
+        const std::pmr::deque<IntegralCurveEnd> ends =
+            co_await add_integral_curves(pace, mesh, distances, regions, start, options, way);
+        stop = ends.front().stop;
+    }
+    const bool found = co_await find_sleeve(pace, search, descends ? &way : nullptr, stop);
+    if (!found) co_return GeodesicPath{};
+    co_return co_await straighten(pace, search, out);
+}
+
+PathShortener::PathShortener(const Mesh& mesh, const RegionSet& regions, Memory* memory)
+    : search_(std::allocate_shared<PathSearch>(std::pmr::polymorphic_allocator<PathSearch>(memory), mesh, regions,
+                                               memory)) {}
+
+Task<GeodesicPath> shorten_way(Pace& pace, PathShortener& shortener, SurfacePoint from, SurfacePoint to,
+                               const SurfaceCurves* way, SurfaceCurves& out) {
+    PathSearch& search = *static_cast<PathSearch*>(shortener.search_.get());
+    search.begin(from, to);
+    const bool found = co_await find_sleeve(pace, search, way, IntegralCurveStop::target);
+    if (!found) co_return GeodesicPath{};
+    co_return co_await straighten(pace, search, out);
 }
 
 bool end_polyline(SurfaceCurves& out, bool closed, double length) {

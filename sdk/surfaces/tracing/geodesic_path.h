@@ -18,6 +18,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <span>
 
 #include "runtime/pace.h"
@@ -42,6 +43,24 @@ struct GeodesicPath {
 // leaves it to end_polyline() to end it; a path from a point to itself has none.
 Task<GeodesicPath> add_geodesic_path(Pace& pace, const Mesh& mesh, SurfacePoint from, SurfacePoint to,
                                      std::span<const float> distances, const RegionSet& regions, SurfaceCurves& out);
+
+// What paths are found and straightened with, one after another, in memory that stays.
+class PathShortener {
+public:
+    // Mesh and regions outlive it.
+    PathShortener(const Mesh& mesh, const RegionSet& regions, Memory* memory);
+    // As add_geodesic_path(); the first sleeve is that of the way, a curve from one point to the other, unless null. So
+    // the path passes everything on the way's side. Where the way breaks off the shortest strip is taken. Some us, and
+    // 100 ns a triangle.
+    friend Task<GeodesicPath> shorten_way(Pace& pace, PathShortener& shortener, SurfacePoint from, SurfacePoint to,
+                                          const SurfaceCurves* way, SurfaceCurves& out);
+
+private:
+    std::shared_ptr<void> search_;  // a PathSearch of geodesic_path.cpp
+};
+
+Task<GeodesicPath> shorten_way(Pace& pace, PathShortener& shortener, SurfacePoint from, SurfacePoint to,
+                               const SurfaceCurves* way, SurfaceCurves& out);
 
 // Ends the curve that paths were appended to; `closed`: the last path ended where the first began. Value: `length`. A
 // curve of fewer points than curves have is dropped; false then.

@@ -137,6 +137,9 @@ namespace Filigree
         public static extern FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSplineHandleInit(FlgSplineHandle* handle, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint struct_size);
 
         /// <summary>
@@ -145,9 +148,12 @@ namespace Filigree
         /// tangential part between the given points. Fails with FlgResult.ErrorInvalidArgument if a point cannot be
         /// projected, two consecutive points coincide, or no path leads from one to the next (add points between them).
         /// Antipodal points of a sphere give a half circle, always the same one. Two points give a geodesic, also with
-        /// E2. On a mesh there is a way between any two points of one connected part. If rounds run out or rounding
-        /// stops progress, the curve is still available, and the view says so. Cost: 1 us a node and round on a mesh,
-        /// and 3 to 8 rounds.
+        /// E2. If rounds run out or rounding stops progress, the curve is still available, and the view says so. On a
+        /// mesh there is a curve through any points of one connected part: where the smooth surface can't be reached
+        /// the result is a curve of Bezier segments over the triangles (FlgSplineEnding.Triangles), with a tangent
+        /// everywhere but not of least energy. With partial_results that is also what is seen first, unless there is a
+        /// warm_start. Cost: 1 us a node and round on a mesh, and 3 to 8 rounds; the curve over triangles, 10 us a
+        /// node.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineCreate(
@@ -163,6 +169,19 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSplineTraceDescInit(FlgSplineTraceDesc* desc, uint struct_size);
+
+        /// <summary>
+        /// Starts a job that lays a spline onto the triangles of its mesh, as that is by then: a curve to cut along
+        /// (flgSurfaceCutCurves) or to grow from. Its nodes go to the nearest points of triangles; from one to the next
+        /// it follows the plane through both and the surface's normal and, where no such way leads there, a shortest
+        /// path. Cost: about 2 us a node and 100 ns a triangle.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSplineTrace(
+            FlgContext context, FlgSplineTraceDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint struct_size);
@@ -246,6 +265,20 @@ namespace Filigree
         {
             FlgSplineView made;
             flgSplineViewInit(&made, (uint)sizeof(FlgSplineView));
+            return made;
+        }
+
+        public static FlgSplineTraceDesc flgSplineTraceDefaults()
+        {
+            FlgSplineTraceDesc made;
+            flgSplineTraceDescInit(&made, (uint)sizeof(FlgSplineTraceDesc));
+            return made;
+        }
+
+        public static FlgSplineHandle flgSplineHandleDefaults()
+        {
+            FlgSplineHandle made;
+            flgSplineHandleInit(&made, (uint)sizeof(FlgSplineHandle));
             return made;
         }
 

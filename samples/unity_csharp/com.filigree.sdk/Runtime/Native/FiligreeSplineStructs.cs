@@ -279,6 +279,22 @@ namespace Filigree
         public fixed double direction[3];
     }
 
+    /// <summary>
+    /// What a curve does at one of its given points besides passing through: leave in a direction, or turn a corner.
+    /// </summary>
+    public unsafe partial struct FlgSplineHandle
+    {
+        /// <summary>the same of all handles of a spline</summary>
+        public uint struct_size;
+        /// <summary>the given point's index</summary>
+        public uint point;
+        /// <summary>
+        /// ambient numbers, not all 0: the derivative by the parameter there, of which the part tangent to the manifold
+        /// counts. Null: the curve may have a corner there, as two splines that share the point. Default null
+        /// </summary>
+        public double* slope;
+    }
+
     public unsafe partial struct FlgSplineDesc
     {
         public uint struct_size;
@@ -368,6 +384,39 @@ namespace Filigree
         public double obstacle_radius;
         /// <summary>metres: what `points` and `curve` are relative to; 0 unless in R^3. Default 0</summary>
         public fixed double origin[3];
+        /// <summary>
+        /// nonzero: on the manifold of a mesh, the result is the curve over its triangles that is else only shown first
+        /// (see flgSplineCreate): some ms, whatever the mesh. `energy` and what belongs to it count for nothing.
+        /// Refused together with obstacles. Default 0
+        /// </summary>
+        public uint on_triangles;
+        /// <summary>
+        /// nonzero: the view gives, for each node, the nearest point of the mesh's triangles. The manifold must be that
+        /// of a mesh. Default 0
+        /// </summary>
+        public uint surface_points;
+        /// <summary>
+        /// in any order, one at most per point. Between them the spline is minimized piece by piece, and its rounds are
+        /// not shown; points with a handle are passed exactly, whatever the smoothing. Refused together with obstacles
+        /// or `curve`. Default null
+        /// </summary>
+        public FlgSplineHandle* handles;
+        public uint handle_count;
+        public uint reserved;
+        /// <summary>
+        /// one per point: its own `smoothing`, from 0 (passes through) to 1e30. Refused together with obstacles.
+        /// Default null: `smoothing` for all
+        /// </summary>
+        public double* softness;
+        /// <summary>
+        /// one per segment from a given point to the next, closed: also for the return: factors of `tension`, 0 to
+        /// 1e12; for FlgSplineEnergy.Et. Refused together with obstacles. Default null: 1
+        /// </summary>
+        public double* tensions;
+        /// <summary>
+        /// metres; above 0: the view also gives the curve as few cubic pieces, at most so far from it. Default 0: none
+        /// </summary>
+        public double key_tolerance;
     }
 
     public unsafe partial struct FlgSplineView
@@ -405,7 +454,8 @@ namespace Filigree
         public uint projections;
         /// <summary>number of held_nodes; 0 while running</summary>
         public uint held_count;
-        public uint reserved;
+        /// <summary>nonzero: the curve over triangles, for now or in the end</summary>
+        public uint on_triangles;
         /// <summary>with all weights</summary>
         public double energy;
         /// <summary>E2: exact for the spline of R^n through the nodes</summary>
@@ -424,6 +474,45 @@ namespace Filigree
         /// metres: what the nodes are relative to: the manifold's origin; on FlgManifoldShape.Space the descriptor's
         /// </summary>
         public fixed double origin[3];
+        /// <summary>
+        /// one per node, where asked for: the nearest point of the mesh's triangles, as they were when the spline was
+        /// made. Null else, and while running
+        /// </summary>
+        public FlgSurfacePoint* surface_points;
+        /// <summary>metres: of these, the largest distance from its node</summary>
+        public double largest_moved;
+        /// <summary>
+        /// The curve as cubic pieces from key to key, where asked for; null and 0 else, and while running. As glTF's
+        /// CUBICSPLINE has it: an animation's output is arriving, point, leaving for each key. Bezier's points from a
+        /// key to the next, h later in parameter: point, point + h / 3 leaving, next point - h / 3 next arriving, next
+        /// point. There is a key at each given point; a closed curve's last key is its first again.
+        /// </summary>
+        public uint key_count;
+        public uint reserved;
+        /// <summary>ascending; a closed curve's with handles begin at the first one</summary>
+        public double* key_parameters;
+        /// <summary>n per key</summary>
+        public double* key_points;
+        /// <summary>n per key: the derivative by the parameter before it</summary>
+        public double* key_arriving;
+        /// <summary>likewise after it: the same but at handles and, with E1, at given points</summary>
+        public double* key_leaving;
+        /// <summary>metres: the pieces' largest distance from the cubic spline through the nodes</summary>
+        public double largest_key_error;
+    }
+
+    public unsafe partial struct FlgSplineTraceDesc
+    {
+        public uint struct_size;
+        public uint reserved;
+        public FlgJobOptions* job;
+        /// <summary>on the manifold of a mesh</summary>
+        public FlgSpline spline;
+        /// <summary>
+        /// metres to the left of the curve, seen from outside, over the triangles: each node goes straight that far, or
+        /// to the border. Larger than a bend's radius it makes loops there. Default 0
+        /// </summary>
+        public double offset;
     }
 
     public unsafe partial struct FlgSplineSampleDesc

@@ -103,6 +103,11 @@ namespace Filigree
         /// curve is the best found; see the residual
         /// </summary>
         Stalled = 4,
+        /// <summary>
+        /// FLG_SPLINE_ENDING_TRIANGLES: the curve over the triangles of a mesh: it was asked for, or the smooth surface
+        /// can't be reached somewhere. Nodes lie on triangles, given points at the nearest points of these
+        /// </summary>
+        Triangles = 5,
     }
 
     /// <summary>A surface of dimension k in R^n that curves stay on. Never changes once ready.</summary>

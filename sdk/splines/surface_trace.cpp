@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "splines/surface_trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "surfaces/mesh/mesh_measures.h"
+#include "surfaces/tracing/geodesic_path.h"
+#include "surfaces/tracing/straight_walk.h"
+#include "surfaces/tracing/surface_walk.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t find_chunk = 100;
+
+Task<void> find_nearest(Pace& pace, NearestPoints& nearest, const double* node) {
+    nearest.begin(Vec3(node));
+    while (!nearest.find(find_chunk)) co_await pace;
+}
+
+Task<double> lay_interval(Pace& pace, const Mesh& mesh, PathShortener& shortener, const SurfacePoint& from,
+                          const SurfacePoint& to, uint32_t node, SurfaceCurves& out) {
+    const SurfaceWalk walk = co_await add_surface_walk(pace, mesh, from, to, out);
+    if (walk.found) co_return walk.length;
+    const GeodesicPath path = co_await shorten_way(pace, shortener, from, to, nullptr, out);
+    if (!path.found)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.spline: no way leads over the triangles from node %u to the next", node);
+    co_return path.length;
+}
+
+// Of the curve at a node.
+Vec3 direction_at(const Spline& spline, uint32_t node) {
+    const auto nodes = static_cast<uint32_t>(spline.chain.nodes.size() / 3);
+    const uint32_t before = node > 0        ? node - 1
+                            : spline.closed ? nodes - 1
+                                            : 0,
+                   after = node + 1 < nodes ? node + 1
+                           : spline.closed  ? 0
+                                            : node;
+    return Vec3(&spline.chain.nodes[size_t{3} * after]) - Vec3(&spline.chain.nodes[size_t{3} * before]);
+}
+
+// Straight over the triangles, to the left of a direction.
+Task<SurfacePoint> moved_aside(Pace& pace, const Mesh& mesh, SurfacePoint from, Vec3 direction, double offset) {
+    const Vec3 left = triangle_normal(mesh, from.triangle).cross(direction);
+    if (!(left.squaredNorm() > 0)) co_return from;
+    const Vec3 aside = offset > 0 ? left.normalized() : -left.normalized();
+    SurfacePath path(pace.memory());
+    co_await walk_straight(pace, mesh, {moved_inside(from.triangle, from.u, from.v), aside}, std::abs(offset), path);
+    co_return path.points.back();
+}
+
+}  // namespace
+
+Task<void> find_surface_points(Pace& pace, Spline& out) {
+    NearestPoints nearest = co_await nearest_on(pace, *out.manifold);
+    const auto nodes = static_cast<uint32_t>(out.chain.nodes.size() / 3);
+    out.surface_points = Buffer<FlgSurfacePoint>(nodes, pace.memory());
+    out.largest_moved = 0;
+    for (uint32_t i = 0; i < nodes; ++i) {
+        const double* const node = &out.chain.nodes[size_t{3} * i];
+        co_await find_nearest(pace, nearest, node);
+        const SurfacePoint& point = nearest.found();
+        out.surface_points[i] = {point.triangle, point.u, point.v};
+        out.largest_moved = std::max(out.largest_moved, (nearest.found_place() - Vec3(node)).norm());
+    }
+}
+
+Task<void> trace_spline(Pace& pace, std::shared_ptr<const Spline> spline, double offset,
+                        std::shared_ptr<TracedCurves> out) {
+    pace.stage("trace");
+    const Mesh& mesh = out->surface->mesh();
+    NearestPoints nearest = co_await nearest_on(pace, *spline->manifold);
+    const RegionSet all(pace.memory());
+    PathShortener shortener(mesh, all, pace.memory());
+    const auto nodes = static_cast<uint32_t>(spline->chain.nodes.size() / 3);
+    double length = 0;
+    SurfacePoint first{}, last{};
+    for (uint32_t i = 0; i < nodes; ++i) {
+        co_await find_nearest(pace, nearest, &spline->chain.nodes[size_t{3} * i]);
+        SurfacePoint next = nearest.found();
+        if (offset != 0) next = co_await moved_aside(pace, mesh, next, direction_at(*spline, i), offset);
+        if (i > 0) {
+            length += co_await lay_interval(pace, mesh, shortener, last, next, i - 1, out->curves);
+        } else {
+            first = next;
+        }
+        last = next;
+    }
+    if (spline->closed) length += co_await lay_interval(pace, mesh, shortener, last, first, nodes - 1, out->curves);
+    out->left_out = end_polyline(out->curves, spline->closed, length) ? 0 : 1;
+    co_await flatten_curves(pace, *out);
+}
+
+}  // namespace flg
