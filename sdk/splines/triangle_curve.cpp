@@ -59,7 +59,7 @@ Task<void> copy_curve(Pace& pace, const Spline& spline, Spline::Chain& out) {
     co_await each(pace, curve.given.size(), Cost::some_ns, [&](uint32_t k) {
         std::copy_n(&spline.triangles->given[size_t{3} * k], 3, &out.nodes[(size_t{3} * k) << curve.halvings]);
     });
-    Moments moments(nodes, 3, curve.closed, pace.memory());
+    Moments moments(nodes, 3, curve.closed, 0, pace.memory());
     out.report = {};
     double parameter = 0;
     co_await each(pace, nodes, Cost::tens_of_ns, [&](uint32_t i) {

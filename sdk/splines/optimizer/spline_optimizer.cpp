@@ -41,7 +41,7 @@ Moments::Moments(uint32_t nodes, uint32_t ambient, bool closed, double tension, 
 Task<void> Moments::factorize(Pace& pace, Moments& m) {
     const uint32_t inner = m.intervals_ - 1;
     co_await each(pace, m.pieces_.size(), Cost::tens_of_ns,
-                  [&m](uint32_t i) { m.pieces_[i] = cubic_piece(m.steps_[i], m.stiffness_); });
+                  [&m](uint32_t i) { m.pieces_[i] = cubic_piece(m.steps_[i], m.stiffness(i)); });
     co_await each(pace, 1, m.intervals_, Cost::tens_of_ns, [&m, inner](uint32_t i) {
         const double before = m.across(i - 1), after = m.across(i);
         const double pivot = m.row(i) - (i > 1 ? before * m.upper_[i - 1] : 0);
@@ -254,7 +254,7 @@ SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
         pull_shares_ = Buffer<double>(problem.softness.size(), memory);
         pull_ = 0;
     }
-    if (problem.tensions.size() > 0) tension_shares_ = Buffer<double>(nodes_, memory);
+    if (problem.tensions.size() > 0) moments_.tension_shares() = Buffer<double>(nodes_, memory);
 }
 
 Task<void> SplineOptimizer::minimize(Pace& pace, SplineOptimizer& s) {
@@ -490,9 +490,9 @@ void SplineOptimizer::project_first(uint32_t node) {
     if (!remembers_) std::fill_n(hint_of(now_, node), hint_size_, 0.0);
     knot_of_[node] = no_knot;
     if (next_knot_ < problem_.knots.size() && problem_.knots[next_knot_] == node) knot_of_[node] = next_knot_++;
-    if (tension_shares_.size() > 0) {
+    if (moments_.tension_shares().size() > 0) {
         const size_t segment = std::min<size_t>(next_knot_, problem_.tensions.size());
-        tension_shares_[node] = problem_.tensions[segment - 1];
+        moments_.tension_shares()[node] = problem_.tensions[segment - 1];
     }
     double* const x = at(now_, node);
     if (!is_free(node)) std::copy_n(&problem_.given[size_t{knot_of_[node]} * n_], n_, x);
@@ -565,7 +565,7 @@ void SplineOptimizer::add_energy(Curve& curve, uint32_t node) {
         const double length = distance_between(x, at(curve, next(node)), n_);
         const double stretching = length * length / moments_.step_after(node);
         curve.stretching += stretching;
-        curve.tensed += tension_shares_.size() > 0 ? tension_shares_[node] * stretching : stretching;
+        curve.tensed += moments_.tension_shares().size() > 0 ? moments_.tension_shares()[node] * stretching : stretching;
     }
     if (pull_at(node) == 0) return;
     const double off = distance_between(x, &problem_.given[size_t{knot_of_[node]} * n_], n_);
@@ -649,7 +649,7 @@ void SplineOptimizer::assemble(uint32_t node) {
     const bool free = is_free(node);
     const double pull = pull_at(node);
     double taut = tension_ * stiffness;
-    if (tension_shares_.size() > 0) {
+    if (moments_.tension_shares().size() > 0) {
         taut =
             (before > 0 ? tension_after(previous(node)) / before : 0) + (after > 0 ? tension_after(node) / after : 0);
     }

@@ -24,6 +24,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "linear/block_tridiagonal.h"
@@ -63,6 +64,9 @@ public:
 
     // Steps between nodes: one an interval. To be factorized again after they change.
     std::span<double> steps() { return {steps_.data(), steps_.size()}; }
+    // Shares of the tension, by interval; empty: 1. Likewise.
+    Buffer<double>& tension_shares() { return tension_shares_; }
+    const Buffer<double>& tension_shares() const { return tension_shares_; }
     static Task<void> factorize(Pace& pace, Moments& m);
 
     SplineEnd& end(bool last) { return ends_[last]; }
@@ -90,11 +94,14 @@ public:
 private:
     void solve_ends(const double* points);
     void moment(uint32_t node, double* out) const;
+    double stiffness(uint32_t interval) const {
+        return tension_shares_.empty() ? stiffness_ : stiffness_ * std::sqrt(tension_shares_[interval]);
+    }
 
     uint32_t nodes_, ambient_, intervals_;
     bool closed_;
     double stiffness_;  // the square root of w
-    Buffer<double> steps_;
+    Buffer<double> steps_, tension_shares_;
     Buffer<CubicPiece> pieces_;  // by interval; empty without tension
     // R without its first and last row, factorized: i = 1 to intervals - 1.
     Buffer<double> inverse_, upper_;
@@ -200,7 +207,8 @@ private:
         return pull_shares_.size() > 0 ? pull_ * pull_shares_[knot_of_[node]] : pull_;
     }
     double tension_after(uint32_t node) const {
-        return tension_shares_.size() > 0 ? tension_ * tension_shares_[node] : tension_;
+        const Buffer<double>& shares = moments_.tension_shares();
+        return shares.size() > 0 ? tension_ * shares[node] : tension_;
     }
     // More are no exceptions.
     uint32_t max_held() const { return nodes_ / 16 + 3; }
@@ -249,7 +257,6 @@ private:
     Buffer<uint32_t> knot_of_;                // by node: its knot, or no_knot
     Buffer<uint8_t> is_held_;                 // by node
     Buffer<double> pull_shares_;              // by knot, of the strongest pull; empty: 1
-    Buffer<double> tension_shares_;           // by node, of the interval after it; empty: 1
     Buffer<double> lengths_, spans_;  // one a knot, of the segment that it begins: of the chain, and of parameters
     BlockTridiagonal system_;
 
