@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "bones/part_body.h"
+#include "inflation/mesh_simplification.h"
 #include "inflation/part_depths.h"
 #include "runtime/each.h"
 
@@ -123,6 +124,19 @@ Task<std::pmr::vector<BoneSegment>> bone_segments(Pace& pace, const BoneTree& tr
     co_return segments;
 }
 
+bool has_pictures(const HeldModel& model) {
+    return std::any_of(model.parts.begin(), model.parts.end(),
+                       [](const ModelPart& part) { return part.picture != std::array<double, 4>{}; });
+}
+
+Task<void> show_all(Pace& pace, HeldSkin& skin) {
+    co_await each(pace, skin.mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin.show_vertex(v); });
+    if (has_pictures(*skin.model))
+        co_await each(pace, 3 * skin.mesh.triangles.size(), Cost::tens_of_ns,
+                      [&](uint32_t corner) { skin.show_corner(corner); });
+    co_await each(pace, skin.tree.joints.size(), Cost::some_ns, [&](uint32_t j) { skin.show_joint(j); });
+}
+
 }  // namespace
 
 void HeldSkin::show_vertex(size_t vertex) {
@@ -134,6 +148,17 @@ void HeldSkin::show_vertex(size_t vertex) {
         columns_.positions.push_back(static_cast<float>(mesh.positions[vertex][i]));
         columns_.normals.push_back(static_cast<float>(mesh.normals[vertex][i]));
     }
+}
+
+// Where it is in the picture of the triangle's part, along the plane's normal.
+void HeldSkin::show_corner(size_t corner) {
+    if (columns_.corner_uvs.empty()) columns_.corner_uvs.reserve(6 * mesh.triangles.size());
+    const ModelPart& part = model->parts[mesh.triangle_parts[corner / 3]];
+    const auto& [left, bottom, right, top] = part.picture;
+    const Point2 at = part.drawn(mesh.positions[mesh.triangles[corner / 3][corner % 3]]);
+    const bool has_picture = right > left;
+    columns_.corner_uvs.push_back(has_picture ? static_cast<float>((at.x - left) / (right - left)) : 0);
+    columns_.corner_uvs.push_back(has_picture ? static_cast<float>((top - at.y) / (top - bottom)) : 0);
 }
 
 void HeldSkin::show_joint(size_t joint) {
@@ -156,7 +181,9 @@ void HeldSkin::show() noexcept {
              .joint_positions = columns_.joint_positions.data(),
              .joint_parents = bones.joint_parents,
              .joint_names = bones.joint_names,
-             .origin = {}};
+             .origin = {},
+             .triangle_parts = mesh.triangle_parts.data(),
+             .corner_uvs = columns_.corner_uvs.empty() ? nullptr : columns_.corner_uvs.data()};
     write_origin(model->origin, view_.origin);
 }
 
@@ -175,6 +202,9 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     });
     co_await lift_joints(pace, placed, model.tree, skin->tree);
     skin->mesh = co_await merge_parts(pace, placed, skin->options);
+    // Borders, and parts that are thin, take more vertices than were asked for.
+    if (skin->mesh.positions.size() > skin->options.vertices)
+        skin->mesh = (co_await simplify_mesh(pace, skin->mesh, BoneWeights(), skin->options.vertices)).mesh;
     const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, skin->tree, model.part_joints);
     Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
     co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t j) { parents[j] = model.tree.joints[j].parent; });
@@ -183,8 +213,18 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     // One by one: all at once they would take longer to be given back than a slice may.
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
     for (; !depths.lifts.empty(); depths.lifts.pop_back()) co_await pace;
-    co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
-    co_await each(pace, skin->tree.joints.size(), Cost::some_ns, [&](uint32_t j) { skin->show_joint(j); });
+    co_await show_all(pace, *skin);
+}
+
+Task<void> make_simpler_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin) {
+    SimplifiedMesh simpler = co_await simplify_mesh(pace, source->mesh, source->weights, skin->options.vertices);
+    skin->model = source->model;
+    skin->mesh = std::move(simpler.mesh);
+    skin->weights = std::move(simpler.weights);
+    skin->tree.joints.reserve(source->tree.joints.size());
+    co_await each(pace, source->tree.joints.size(), Cost::some_ns,
+                  [&](uint32_t j) { skin->tree.joints.push_back(source->tree.joints[j]); });
+    co_await show_all(pace, *skin);
 }
 
 }  // namespace flg

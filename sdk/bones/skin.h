@@ -20,6 +20,7 @@ public:
 
     // The mesh and joints as hosts see them, one by one.
     void show_vertex(size_t vertex);
+    void show_corner(size_t corner);
     void show_joint(size_t joint);
     const float* positions() const { return columns_.positions.data(); }
     const float* normals() const { return columns_.normals.data(); }
@@ -27,8 +28,9 @@ public:
 
 private:
     struct Columns {
-        explicit Columns(Memory* memory) : positions(memory), normals(memory), joint_positions(memory) {}
-        std::pmr::vector<float> positions, normals, joint_positions;
+        explicit Columns(Memory* memory)
+            : positions(memory), normals(memory), corner_uvs(memory), joint_positions(memory) {}
+        std::pmr::vector<float> positions, normals, corner_uvs, joint_positions;
     };
 
     void show() noexcept override;
@@ -39,5 +41,8 @@ private:
 
 // The whole of flgSkinCreate.
 Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin);
+
+// The whole of flgSkinSimplify: `skin` is that of its options' vertices, and of the source's model.
+Task<void> make_simpler_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin);
 
 }  // namespace flg

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All parts of a model in one closed surface: the union of the parts as functions of space (implicit_parts.h), its
-// surface on a lattice (surface_extraction.h), made even.
+// surface on a lattice (surface_extraction.h), made even, with its corners (sharp_corners.h), and cut where it goes from
+// part to part (part_borders.h).
 #pragma once
 
 #include <array>
@@ -19,14 +20,17 @@ struct MergedMesh {
     Buffer<Vec3> positions;
     Buffer<Vec3> normals;                // outwards, of length 1
     Buffer<TriangleVertices> triangles;  // counter-clockwise seen from outside
-    Buffer<uint32_t> parts;              // by vertex, the one whose surface it is on
-    double spacing = 0;                  // of the lattice it was made on: about the length of edges
+    Buffer<uint32_t> parts;              // by vertex, the one whose surface it is on; at borders one of those
+    Buffer<uint32_t> triangle_parts;     // by triangle; they change only at edges that follow the parts' border
+    Buffer<uint8_t> is_fixed;            // by vertex: a sharp corner, which stays where it is
+    double spacing = 0;                  // about the length of edges
 };
 
 struct MergeOptions {
-    uint32_t vertices = 10000;       // about how many the surface gets, if no part is too thin for that; at least 100
+    uint32_t vertices = 10000;       // the surface gets so many or some more, if no part is too thin; at least 100
     uint32_t max_vertices = 200000;  // what thin parts may make of it
     double blend = -1;               // as PartUnion has it
+    double corner_angle = 0;         // contours that turn by more keep their corners, radians; 0: all are rounded
 };
 
 // About how long edges get, from the areas of the parts: longer than they are, as parts overlap.
