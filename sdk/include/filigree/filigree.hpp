@@ -1183,6 +1183,13 @@ struct SkinView {
     Span<const char* const> joint_names;
     /// metres: what positions are relative to. Default 0
     double origin[3]{};
+    /// one per triangle: the part it lies on. These meet at edges that follow the parts' border. Null in input: that of
+    /// two corners, else of the first
+    Span<const uint32_t> triangle_parts;
+    /// 6 per triangle: u, v of its corners, 0 0 at the picture's upper left, 1 1 at its lower right; parts without a
+    /// picture: 0. Corners of a vertex differ only where parts with different projections meet. Null: no part has a
+    /// picture
+    Span<const float> corner_uvs;
 
     /// Empty.
     SkinView() { flgSkinViewInit(&c_, detail::size_of<FlgSkinView>); }
@@ -1201,6 +1208,8 @@ struct SkinView {
         joint_positions = detail::span(c.joint_positions, std::size_t{3} * joint_count);
         joint_parents = detail::span(c.joint_parents, joint_count);
         joint_names = detail::span(c.joint_names, joint_count);
+        triangle_parts = detail::span(c.triangle_parts, triangle_count);
+        corner_uvs = detail::span(c.corner_uvs, std::size_t{6} * triangle_count);
     }
     /// The C struct, for C functions.
     const FlgSkinView& get() const noexcept { return c_; }
@@ -2214,6 +2223,19 @@ struct SkinDesc : FlgSkinDesc {
     SkinDesc(FlgModel model_) {
         flgSkinDescInit(this, detail::size_of<FlgSkinDesc>);
         model = model_;
+    }
+};
+
+/// FlgSkinSimplifyDesc with its defaults.
+struct SkinSimplifyDesc : FlgSkinSimplifyDesc {
+    /// The defaults.
+    SkinSimplifyDesc() { flgSkinSimplifyDescInit(this, detail::size_of<FlgSkinSimplifyDesc>); }
+    /// Of the C struct.
+    SkinSimplifyDesc(const FlgSkinSimplifyDesc& c) : FlgSkinSimplifyDesc(c) {}
+    /// The defaults, with skin.
+    SkinSimplifyDesc(FlgSkin skin_) {
+        flgSkinSimplifyDescInit(this, detail::size_of<FlgSkinSimplifyDesc>);
+        skin = skin_;
     }
 };
 
@@ -3440,6 +3462,21 @@ public:
         return detail::made(result, SkinView(out_view));
     }
 
+    /// Starts a job that makes a level of detail: the same surface, parts and joints with fewer vertices. Edges are
+    /// collapsed, those first that change the shape least; where weights change more stay. Borders of parts and sharp
+    /// corners stay where they are, pieces and holes remain, and a vertex has the weights of its place on the surface.
+    /// So few vertices may not be reachable: then the result has the fewest that are. With as many as the skin has, or
+    /// more, it is a copy. Cost: about 2 us a vertex of the skin and 20 us for each that goes.
+    /// Calls flgSkinSimplify.
+    Result<Skin> simplify(SkinSimplifyDesc desc = {}, Job* out_job = nullptr) const {
+        desc.skin = handle_;
+        FlgSkin out_skin{};
+        FlgJob job_made{};
+        const FlgResult result = flgSkinSimplify(context_, &desc, &out_skin, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, Skin(context_, out_skin));
+    }
+
     /// Starts a job that writes a skin's indices and columns: POSITION, NORMAL, JOINTS, WEIGHTS and PART. As UNORM8 and
     /// UNORM16 the largest weight gets what makes the sum exactly 1. (flgSkinPose writes matrices into the host's
     /// memory anyway.) Cost: that of flgColumnsWrite and flgIndicesWrite.
@@ -4019,11 +4056,14 @@ public:
 
     /// Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the mesh,
     /// a node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have POSITION,
-    /// NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float) and _PART. Rotations that stay at identity are omitted. Refuses
-    /// what glTF forbids: joints out of range or twice at a vertex, weights that do not sum to 1 within 0.0001,
-    /// quaternions that are not of length 1 within 0.001, times that do not rise, values that are not finite, parents
-    /// that do not come first. Cost: about 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for
-    /// another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB).
+    /// NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART and, with corner_uvs, TEXCOORD_0; vertices whose corners
+    /// differ in them are there several times. Levels of detail are meshes of the same skin, named NAME_LOD0,
+    /// NAME_LOD1, ...; the first is in the scene and refers to the others by MSFT_lod, so programs that do not know it
+    /// show the finest alone. Rotations that stay at identity are omitted. Refuses what glTF forbids: joints out of
+    /// range or twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are not of length 1
+    /// within 0.001, times that do not rise, values that are not finite, parents that do not come first. Cost: about
+    /// 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
+    /// FLG_ERROR_LIMIT (2 GiB).
     /// Calls flgSkinFileWrite.
     static Result<bool> write(const char* path, const SkinFileWriteDesc& desc) {
         const FlgResult result = flgSkinFileWrite(path, &desc);
@@ -4454,7 +4494,7 @@ public:
     /// to the joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in front or
     /// behind (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest
     /// part needs more than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost:
-    /// 15 us a vertex.
+    /// 20 us a vertex.
     /// Calls flgSkinCreate.
     Result<Skin> skin(const SkinDesc& desc, Job* out_job = nullptr) const {
         FlgSkin out_skin{};
