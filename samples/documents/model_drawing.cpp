@@ -118,9 +118,9 @@ void read_thresholds(const JsonPlace& item, FlgBoneThresholds& out) {
 }
 
 DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, ModelDrawing& drawing) {
-    item.allow({"name", "contour", "curve", "at", "turn", "scale", "thickness", "mirrored", "simplify", "merge",
-                "prune", "collapse", "detail", "color", "metallic", "roughness", "parent", "parent_joint", "depth",
-                "picture"});
+    item.allow({"name",     "contour",   "curve",  "at",           "turn",     "scale",  "thickness",
+                "mirrored", "simplify",  "merge",  "prune",        "collapse", "detail", "color",
+                "metallic", "roughness", "parent", "parent_joint", "depth",    "picture"});
     DrawnPart part;
     part.name = item.at("name").text();
     const auto contour = item.find("contour"), curve = item.find("curve");

@@ -124,7 +124,8 @@ ModelPart read_part(Context& context, const FlgModelPart& in, const FlgBoneThres
     out.depth = in.depth;
     std::array<double, 4>& picture = out.picture;
     for (uint32_t k = 0; k < picture.size(); ++k) {
-        check_range(std::abs(in.picture[k]) <= 1e30, field("picture"), in.picture[k], "finite and at most 1e30 in size");
+        check_range(std::abs(in.picture[k]) <= 1e30, field("picture"), in.picture[k],
+                    "finite and at most 1e30 in size");
         picture[k] = in.picture[k];
     }
     if (picture != std::array<double, 4>{} && !(picture[0] < picture[2] && picture[1] < picture[3]))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All parts of a model in one closed surface: the union of the parts as functions of space (implicit_parts.h), its
-// surface on a lattice (surface_extraction.h), made even, with its corners (sharp_corners.h), and cut where it goes from
-// part to part (part_borders.h).
+// surface on a lattice (surface_extraction.h), made even, with its corners (sharp_corners.h), and cut where it goes
+// from part to part (part_borders.h).
 #pragma once
 
 #include <array>

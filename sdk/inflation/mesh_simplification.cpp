@@ -12,14 +12,14 @@ namespace flg {
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
-constexpr uint32_t max_ring = 24;           // neighbours of a vertex that collapses make
-constexpr double towards_middle = 1e-3;     // by the quadric's size: where it says nothing, new vertices are in between
-constexpr double max_away = 1;              // of a new vertex from the edge's middle, by its length
-constexpr double border_hold = 10;          // of borders, by that of the surface
-constexpr double weight_hold = 0.02;        // by the change of weights along an edge, squared, and its length^4
-constexpr double length_hold = 1e-4;        // by an edge's length^4
-constexpr double min_turn = 0.2;            // cosine: how far triangles may turn at once
-constexpr double min_breadth = 0.08;        // of a triangle's height by its longest side
+constexpr uint32_t max_ring = 24;        // neighbours of a vertex that collapses make
+constexpr double towards_middle = 1e-3;  // by the quadric's size: where it says nothing, new vertices are in between
+constexpr double max_away = 1;           // of a new vertex from the edge's middle, by its length
+constexpr double border_hold = 10;       // of borders, by that of the surface
+constexpr double weight_hold = 0.02;     // by the change of weights along an edge, squared, and its length^4
+constexpr double length_hold = 1e-4;     // by an edge's length^4
+constexpr double min_turn = 0.2;         // cosine: how far triangles may turn at once
+constexpr double min_breadth = 0.08;     // of a triangle's height by its longest side
 
 // The sum of squared distances to planes, by area.
 struct Quadric {
@@ -357,7 +357,8 @@ private:
             const Vec3 before = (pb - position_[v]).cross(pc - position_[v]), after = (pb - at).cross(pc - at);
             const double size = after.norm();
             if (!(after.dot(before) > min_turn * size * before.norm())) return false;
-            const double longest = std::max({(pb - at).squaredNorm(), (pc - at).squaredNorm(), (pb - pc).squaredNorm()});
+            const double longest =
+                std::max({(pb - at).squaredNorm(), (pc - at).squaredNorm(), (pb - pc).squaredNorm()});
             if (size < min_breadth * longest && size < before.norm()) return false;
         }
         return true;

@@ -21,7 +21,7 @@ constexpr double min_breadth = 0.2;  // of a triangle's height by its longest si
 constexpr uint32_t halvings = 10, newton_steps = 16;
 constexpr double near_enough = 0.02 * border_tolerance;
 constexpr double max_step = 0.5, max_way = 1;  // from the edge, by the spacing
-constexpr double least_det = 0.02;               // sine squared between the surface and where parts are alike
+constexpr double least_det = 0.02;             // sine squared between the surface and where parts are alike
 
 // Which parts a point belongs to: those that meet there.
 struct Owners {
@@ -162,7 +162,8 @@ struct BorderCut {
             const Vec3 before = (pb - mesh.positions[vertex]).cross(pc - mesh.positions[vertex]);
             const Vec3 after = (pb - to).cross(pc - to);
             if (after.dot(before) < min_turn * after.norm() * before.norm()) return false;
-            const double longest = std::max({(pb - to).squaredNorm(), (pc - to).squaredNorm(), (pb - pc).squaredNorm()});
+            const double longest =
+                std::max({(pb - to).squaredNorm(), (pc - to).squaredNorm(), (pb - pc).squaredNorm()});
             if (after.norm() < min_breadth * longest) return false;
             if (owners[b].count > 1 && owners[c].count > 1 && owners[b].shares(then) && owners[c].shares(then))
                 return false;

@@ -6,8 +6,8 @@
 // parts around a point in their middle. Vertices near enough move first, so no sliver is left beside a border (Labelle,
 // Shewchuk: Isosurface stuffing, 2007, in the plane). What was closed and a manifold stays so.
 //
-// Vertices of borders lie within `border_tolerance` of both zeros, but for points where three parts meet, and a few (1 in
-// 100 at most in tests) where a part's own edge lies in the other's surface, which has a kink there.
+// Vertices of borders lie within `border_tolerance` of both zeros, but for points where three parts meet, and a few (1
+// in 100 at most in tests) where a part's own edge lies in the other's surface, which has a kink there.
 #pragma once
 
 #include <array>

@@ -124,13 +124,12 @@ TEST(MeshSimplification, SameBitsWithPauses) {
     const MergedMesh mesh = merged(model, {.vertices = 3000});
     const BoneWeights weights = weights_of(mesh, model);
     const SimplifiedMesh a = simplified(mesh, weights, 1000), b = simplified(mesh, weights, 1000, true);
-    EXPECT_TRUE(std::equal(a.mesh.positions.begin(), a.mesh.positions.end(), b.mesh.positions.begin(),
-                           b.mesh.positions.end()));
-    EXPECT_TRUE(std::equal(a.mesh.triangles.begin(), a.mesh.triangles.end(), b.mesh.triangles.begin(),
-                           b.mesh.triangles.end()));
     EXPECT_TRUE(
-        std::equal(a.weights.weights.begin(), a.weights.weights.end(), b.weights.weights.begin(),
-                   b.weights.weights.end()));
+        std::equal(a.mesh.positions.begin(), a.mesh.positions.end(), b.mesh.positions.begin(), b.mesh.positions.end()));
+    EXPECT_TRUE(
+        std::equal(a.mesh.triangles.begin(), a.mesh.triangles.end(), b.mesh.triangles.begin(), b.mesh.triangles.end()));
+    EXPECT_TRUE(std::equal(a.weights.weights.begin(), a.weights.weights.end(), b.weights.weights.begin(),
+                           b.weights.weights.end()));
 }
 
 }  // namespace

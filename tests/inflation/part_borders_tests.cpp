@@ -58,8 +58,9 @@ TEST(PartBorders, FollowWhereBothPartsAreAlike) {
             for (const uint32_t v : {side.first, side.second}) {
                 if (ends[v] != 2) continue;  // where three parts meet
                 const Vec3& p = mesh.positions[v];
-                far += std::fabs(parts.difference(p, pair.first, pair.second).value) > border_tolerance * mesh.spacing ||
-                       std::fabs(parts.sample(p).value) > border_tolerance * mesh.spacing;
+                far +=
+                    std::fabs(parts.difference(p, pair.first, pair.second).value) > border_tolerance * mesh.spacing ||
+                    std::fabs(parts.sample(p).value) > border_tolerance * mesh.spacing;
             }
         }
         EXPECT_LE(far, borders.size() / 50) << "of " << 2 * borders.size();

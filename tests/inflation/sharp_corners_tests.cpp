@@ -41,8 +41,7 @@ TEST(SharpCorners, OfAStarStay) {
     }
     const SimplifiedMesh fewer =
         run_now(test_memory(), [&](Pace& pace) { return simplify_mesh(pace, sharp, {}, 300); });
-    for (uint32_t i = 0; i < 10; ++i)
-        EXPECT_LT(nearest(fewer.mesh, Vec3(star[i].x + 0.5, star[i].y, 0)), 1e-6) << i;
+    for (uint32_t i = 0; i < 10; ++i) EXPECT_LT(nearest(fewer.mesh, Vec3(star[i].x + 0.5, star[i].y, 0)), 1e-6) << i;
 }
 
 std::pmr::vector<SharpCorner> corners_of(const Model& model, double length) {

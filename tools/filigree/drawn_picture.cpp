@@ -142,8 +142,7 @@ private:
 // Within an outline, and not at its rim; of what is too thin for that, the middle.
 std::vector<uint8_t> kept_pixels(const Picture& picture, const std::vector<uint8_t>& inside) {
     std::vector<uint8_t> outside(inside.size());
-    for (size_t i = 0; i < inside.size(); ++i)
-        outside[i] = !inside[i] || picture.pixels[kChannels * i + 3] < kOpaque;
+    for (size_t i = 0; i < inside.size(); ++i) outside[i] = !inside[i] || picture.pixels[kChannels * i + 3] < kOpaque;
     const NearestPixels nearest(picture, outside);
     std::vector<uint8_t> kept(inside.size());
     for (int y = 0; y < picture.height; ++y) {
@@ -154,7 +153,8 @@ std::vector<uint8_t> kept_pixels(const Picture& picture, const std::vector<uint8
             bool is_middle = own > 0;
             for (int dy = -1; dy <= 1 && is_middle; ++dy)
                 for (int dx = -1; dx <= 1; ++dx) {
-                    const int u = std::clamp(x + dx, 0, picture.width - 1), v = std::clamp(y + dy, 0, picture.height - 1);
+                    const int u = std::clamp(x + dx, 0, picture.width - 1),
+                              v = std::clamp(y + dy, 0, picture.height - 1);
                     is_middle = is_middle && nearest.distance(size_t(v) * size_t(picture.width) + size_t(u)) <= own;
                 }
             kept[i] = own > kInset || is_middle;
@@ -222,7 +222,8 @@ std::vector<uint8_t> bled_picture(const PictureOptions& options, const ModelDraw
     for (size_t i = 0; i < picture.count(); ++i) {
         const int from = nearest.of(i);
         if (from == NearestPixels::kNone)
-            throw InputError(options.file + ": no part of the drawing shows any of it; --texture-box says where it lies");
+            throw InputError(options.file +
+                             ": no part of the drawing shows any of it; --texture-box says where it lies");
         std::copy_n(&picture.pixels[kChannels * size_t(from)], 3, &bled[kChannels * i]);
         bled[kChannels * i + 3] = 255;
     }

@@ -128,7 +128,7 @@ constexpr double kOffCount = 0.02;  // of the vertices asked for: what is said w
 FlgSkinView view_of(Session& session, FlgSkin skin, uint32_t wanted, const Options& options, Report& report) {
     FlgSkinView view = flgSkinViewDefaults();
     check(flgSkinGetView(session.context(), skin, &view), options.output);
-    if (std::abs(double{view.vertex_count} / wanted - 1) > kOffCount)
+    if (std::abs(static_cast<double>(view.vertex_count) / wanted - 1) > kOffCount)
         report.warn(options.output + ": a surface has " + std::to_string(view.vertex_count) + " vertices in place of " +
                     std::to_string(wanted) + ": its borders, corners, holes and pieces need them");
     return view;
@@ -280,17 +280,17 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
         ->check(CLI::Range(4u, 200000u))
         ->expected(1, 16)
         ->type_name("N,...");
-    command->add_flag("--sharp{40}", options->sharp_degrees,
-                      "Corners of outlines that turn by more than 40 degrees, or --sharp=DEGREES, stay corners")
+    command
+        ->add_flag("--sharp{40}", options->sharp_degrees,
+                   "Corners of outlines that turn by more than 40 degrees, or --sharp=DEGREES, stay corners")
         ->check(CLI::Range(1.0, 180.0));
     command
-        ->add_option("--texture", options->picture.file,
-                     "The picture that was drawn over, PNG or JPEG: it colours front and back, in place of colours of "
-                     "parts. It fills the page of an SVG, else the box of all outlines, as parts are placed but lying flat")
+        ->add_option(
+            "--texture", options->picture.file,
+            "The picture that was drawn over, PNG or JPEG: it colours front and back, in place of colours of "
+            "parts. It fills the page of an SVG, else the box of all outlines, as parts are placed but lying flat")
         ->type_name("PICTURE");
-    command
-        ->add_option("--texture-box", options->picture.box,
-                     "Where the picture lies instead, in the drawing's units")
+    command->add_option("--texture-box", options->picture.box, "Where the picture lies instead, in the drawing's units")
         ->delimiter(',')
         ->expected(4)
         ->type_name("LEFT,BOTTOM,RIGHT,TOP");

@@ -352,7 +352,9 @@ struct TexturedVertices {
         Vector<bool> has_uv(sources.size());
         for (size_t c = 0; c < corners; ++c) {
             const float* uv = mesh.corner_uvs + 2 * c;
-            const auto fits = [&](uint32_t v) { return uvs[2 * size_t{v}] == uv[0] && uvs[2 * size_t{v} + 1] == uv[1]; };
+            const auto fits = [&](uint32_t v) {
+                return uvs[2 * size_t{v}] == uv[0] && uvs[2 * size_t{v} + 1] == uv[1];
+            };
             uint32_t vertex = mesh.triangles[c];
             if (has_uv[vertex]) {
                 while (!fits(vertex) && next[vertex] != none) vertex = next[vertex];
@@ -383,7 +385,8 @@ public:
         for (const FlgSkinView& mesh : checked_.meshes()) add_mesh(mesh);
         add_materials();
         for (const FlgSkinAnimation& animation : checked_.animations()) add_animation(animation);
-        const size_t levels = checked_.meshes().size() - 1, first_level_node = first_joint_node + checked_.joint_count();
+        const size_t levels = checked_.meshes().size() - 1,
+                     first_level_node = first_joint_node + checked_.joint_count();
         String joints, roots, nodes, level_nodes, extensions;
         Vector<String> children(checked_.joint_count());
         for (size_t j = 0; j < checked_.joint_count(); ++j) {
@@ -394,13 +397,14 @@ public:
         const String name = checked_.name();
         for (size_t i = 0; i < levels; ++i) add_item(level_nodes, number(first_level_node + i));
         add_item(nodes, "{\"name\":" + json_text(levels == 0 ? name : name + "_LOD0") + ",\"mesh\":0,\"skin\":0" +
-                            (levels == 0 ? "" : ",\"extensions\":{\"MSFT_lod\":{\"ids\":[" + level_nodes + "]}}") + "}");
+                            (levels == 0 ? "" : ",\"extensions\":{\"MSFT_lod\":{\"ids\":[" + level_nodes + "]}}") +
+                            "}");
         add_item(nodes, "{\"name\":" + json_text(name + " skeleton") + json_translation(checked_.origin()) +
                             ",\"children\":[" + roots + "]}");
         for (size_t j = 0; j < checked_.joint_count(); ++j) add_item(nodes, joint_node(j, children[j]));
         for (size_t i = 1; i <= levels; ++i)
-            add_item(nodes, "{\"name\":" + json_text(name + "_LOD" + number(i)) + ",\"mesh\":" + number(i) +
-                                ",\"skin\":0}");
+            add_item(nodes,
+                     "{\"name\":" + json_text(name + "_LOD" + number(i)) + ",\"mesh\":" + number(i) + ",\"skin\":0}");
         String top = "\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[" + nodes +
                      "],\"skins\":[{\"name\":" + json_text(name) +
                      ",\"inverseBindMatrices\":" + number(add_bind_matrices()) + ",\"skeleton\":1,\"joints\":[" +
@@ -494,8 +498,9 @@ private:
     String json_texture() {
         constexpr const char* to_edge = "33071";
         return "\"images\":[{\"bufferView\":" + number(glb_.add_file(checked_.texture())) + ",\"mimeType\":\"image/" +
-               (checked_.has_png() ? "png" : "jpeg") + "\"}],\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" +
-               to_edge + ",\"wrapT\":" + to_edge + "}],\"textures\":[{\"source\":0,\"sampler\":0}],";
+               (checked_.has_png() ? "png" : "jpeg") +
+               "\"}],\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" + to_edge +
+               ",\"wrapT\":" + to_edge + "}],\"textures\":[{\"source\":0,\"sampler\":0}],";
     }
 
     size_t add_bind_matrices() {
