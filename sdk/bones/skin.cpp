@@ -14,8 +14,9 @@ namespace {
 static_assert(sizeof(std::array<uint16_t, 4>) == 4 * sizeof(uint16_t));
 static_assert(sizeof(std::array<float, 4>) == 4 * sizeof(float));
 
-constexpr double held = 1.25;    // of the radii of a limb and of what it hangs on: so far they are one
-constexpr double gap_cells = 2;  // between parts that pass each other, by the length of edges
+constexpr double held = 1.25;        // of the radii of a limb and of what it hangs on: so far they are one
+constexpr double max_surplus = 1.1;  // of vertices: from so many on, thin parts need them
+constexpr double gap_cells = 2;      // between parts that pass each other, by the length of edges
 
 // Whether a part's axis is on one side of the mirror: then it and its image are two things, however near they are.
 Task<bool> is_beside_mirror(Pace& pace, const HeldModel& model, const ModelPart& part) {
@@ -202,8 +203,10 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     });
     co_await lift_joints(pace, placed, model.tree, skin->tree);
     skin->mesh = co_await merge_parts(pace, placed, skin->options);
-    // Borders, and parts that are thin, take more vertices than were asked for.
-    if (skin->mesh.positions.size() > skin->options.vertices)
+    // Borders take more vertices than were asked for. Where thin parts do, they stay: with larger triangles, limbs that
+    // pass close by each other would cut through each other.
+    const bool is_even = skin->mesh.even_vertices <= max_surplus * skin->options.vertices;
+    if (is_even && skin->mesh.positions.size() > skin->options.vertices)
         skin->mesh = (co_await simplify_mesh(pace, skin->mesh, BoneWeights(), skin->options.vertices)).mesh;
     const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, skin->tree, model.part_joints);
     Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());

@@ -230,7 +230,7 @@ constexpr double cells_by_area = 1.5;
 constexpr double surface_by_shape = 3;  // of a part, by the area of its contour, about
 constexpr double coarser = 2;           // the lattice that the surface is measured on
 constexpr double surplus = 1.01;        // of vertices, as counts are only about right
-constexpr uint32_t max_tries = 3;       // until there are enough
+constexpr uint32_t max_tries = 4;       // until there are enough
 // Of the radius of the thinnest part: lattice points are so near to each other that none falls between them.
 constexpr double max_spacing = 0.8;
 constexpr uint32_t min_vertices = 100;
@@ -270,7 +270,8 @@ Task<DualSurface> surface_on_lattice(Pace& pace, PartUnion& parts, uint32_t vert
             co_await SurfaceGrid::clear(pace, grid);
             co_return surface;
         }
-        spacing *= std::sqrt(std::max(1.0, static_cast<double>(grid.vertex_count())) / (surplus * vertices));
+        const double more = std::pow(surplus, tries + 1);
+        spacing *= std::sqrt(std::max(1.0, static_cast<double>(grid.vertex_count())) / (more * vertices));
         co_await SurfaceGrid::clear(pace, grid);
     }
 }
@@ -353,7 +354,8 @@ Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, Mer
                     .parts = Buffer<uint32_t>(vertices, memory),
                     .triangle_parts = std::move(cut.triangle_parts),
                     .is_fixed = Buffer<uint8_t>(vertices, memory),
-                    .spacing = spacing};
+                    .spacing = spacing,
+                    .even_vertices = static_cast<uint32_t>(inner)};
     co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
         const Vec3& gradient = cut.samples[v].gradient;
         const double steep = gradient.norm();

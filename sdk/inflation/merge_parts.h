@@ -24,6 +24,7 @@ struct MergedMesh {
     Buffer<uint32_t> triangle_parts;     // by triangle; they change only at edges that follow the parts' border
     Buffer<uint8_t> is_fixed;            // by vertex: a sharp corner, which stays where it is
     double spacing = 0;                  // about the length of edges
+    uint32_t even_vertices = 0;          // what it had before borders were cut
 };
 
 struct MergeOptions {

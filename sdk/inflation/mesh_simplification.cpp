@@ -441,7 +441,8 @@ Task<SimplifiedMesh> simplify_mesh(Pace& pace, const MergedMesh& mesh, const Bon
                         .parts = Buffer<uint32_t>(left, memory),
                         .triangle_parts = Buffer<uint32_t>(left_faces, memory),
                         .is_fixed = Buffer<uint8_t>(left, memory),
-                        .spacing = mesh.spacing * std::sqrt(static_cast<double>(all) / left)},
+                        .spacing = mesh.spacing * std::sqrt(static_cast<double>(all) / left),
+                        .even_vertices = left},
                        {Buffer<std::array<uint16_t, 4>>(weights.joints.empty() ? 0 : left, memory),
                         Buffer<std::array<float, 4>>(weights.weights.empty() ? 0 : left, memory)}};
     Buffer<uint32_t> number(all, memory);

@@ -130,7 +130,7 @@ FlgSkinView view_of(Session& session, FlgSkin skin, uint32_t wanted, const Optio
     check(flgSkinGetView(session.context(), skin, &view), options.output);
     if (std::abs(static_cast<double>(view.vertex_count) / wanted - 1) > kOffCount)
         report.warn(options.output + ": a surface has " + std::to_string(view.vertex_count) + " vertices in place of " +
-                    std::to_string(wanted) + ": its borders, corners, holes and pieces need them");
+                    std::to_string(wanted) + ": its thin parts, borders, corners, holes and pieces need them");
     return view;
 }
 

@@ -346,12 +346,12 @@ typedef struct FlgSkinView {
 
 typedef struct FlgSkinDesc {
     uint32_t struct_size;
-    uint32_t vertex_count;      /* within 2 %, or the fewest that keep all pieces and holes: 100 to max_vertices,
-                                   default 10000 */
+    uint32_t vertex_count;      /* within 2 %, or more if a part is too thin for so few: 100 to max_vertices, default
+                                   10000 */
     const FlgJobOptions* job;
     FlgModel model;
-    uint32_t max_vertices;      /* upper limit of what thin parts may need on the way: 100 to 4194304, default
-                                   200000 */
+    uint32_t max_vertices;      /* upper limit where thin parts need more, without borders between parts: 100 to
+                                   4194304, default 200000 */
     float blend;                /* rounds edges where parts cross over this length: metres, up to 1e30; below 0:
                                    automatic, 0.15 of the smaller part's radius; 0: none. Default -1 */
     float corner_angle;         /* corners of contours that turn by more than this, within 1.5 edges of the surface,

@@ -372,13 +372,13 @@ namespace Filigree
     public unsafe partial struct FlgSkinDesc
     {
         public uint struct_size;
-        /// <summary>
-        /// within 2 %, or the fewest that keep all pieces and holes: 100 to max_vertices, default 10000
-        /// </summary>
+        /// <summary>within 2 %, or more if a part is too thin for so few: 100 to max_vertices, default 10000</summary>
         public uint vertex_count;
         public FlgJobOptions* job;
         public FlgModel model;
-        /// <summary>upper limit of what thin parts may need on the way: 100 to 4194304, default 200000</summary>
+        /// <summary>
+        /// upper limit where thin parts need more, without borders between parts: 100 to 4194304, default 200000
+        /// </summary>
         public uint max_vertices;
         /// <summary>
         /// rounds edges where parts cross over this length: metres, up to 1e30; below 0: automatic, 0.15 of the smaller
