@@ -202,17 +202,21 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
         placed[p].lift = depths.lift(p);
     });
     co_await lift_joints(pace, placed, model.tree, skin->tree);
-    skin->mesh = co_await merge_parts(pace, placed, skin->options);
-    // Borders take more vertices than were asked for. Where thin parts do, they stay: with larger triangles, limbs that
-    // pass close by each other would cut through each other.
-    const bool is_even = skin->mesh.even_vertices <= max_surplus * skin->options.vertices;
-    if (is_even && skin->mesh.positions.size() > skin->options.vertices)
-        skin->mesh = (co_await simplify_mesh(pace, skin->mesh, BoneWeights(), skin->options.vertices)).mesh;
+    EvenMesh even = co_await merge_evenly(pace, placed, skin->options);
     const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, skin->tree, model.part_joints);
     Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
     co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t j) { parents[j] = model.tree.joints[j].parent; });
     const BoneRig rig{bones, {parents.data(), parents.size()}};
-    skin->weights = co_await bone_weights(pace, skin->mesh, placed, rig, BoneWeightOptions());
+    skin->weights = co_await bone_weights(pace, even.mesh, placed, rig, BoneWeightOptions());
+    skin->mesh = co_await cut_merged(pace, even, &skin->weights);
+    // Borders take more vertices than were asked for. Where thin parts do, they stay: with larger triangles, limbs that
+    // pass close by each other would cut through each other.
+    const bool is_even = skin->mesh.even_vertices <= max_surplus * skin->options.vertices;
+    if (is_even && skin->mesh.positions.size() > skin->options.vertices) {
+        SimplifiedMesh simpler = co_await simplify_mesh(pace, skin->mesh, skin->weights, skin->options.vertices);
+        skin->mesh = std::move(simpler.mesh);
+        skin->weights = std::move(simpler.weights);
+    }
     // One by one: all at once they would take longer to be given back than a slice may.
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
     for (; !depths.lifts.empty(); depths.lifts.pop_back()) co_await pace;

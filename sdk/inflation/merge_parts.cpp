@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/failure.h"
-#include "inflation/part_borders.h"
+#include "inflation/bone_weights.h"
 #include "inflation/sharp_corners.h"
 #include "inflation/surface_extraction.h"
 #include "runtime/each.h"
@@ -276,6 +276,11 @@ Task<DualSurface> surface_on_lattice(Pace& pace, PartUnion& parts, uint32_t vert
     }
 }
 
+Vec3 outwards(const PartUnion::Sample& sample) {
+    const double steep = sample.gradient.norm();
+    return steep > 0 ? Vec3(-sample.gradient / steep) : Vec3(Vec3::UnitZ());
+}
+
 // Where parts are cut off each other, slivers may be left that are no more than a corner of the lattice.
 Task<void> drop_specks(Pace& pace, DualSurface& surface) {
     const auto vertices = static_cast<uint32_t>(surface.positions.size());
@@ -318,7 +323,7 @@ double expected_spacing(std::span<const PlacedPart> parts, uint32_t vertices) {
     return std::sqrt(cells_by_area * area / vertices);
 }
 
-Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
+Task<EvenMesh> merge_evenly(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
     pace.stage("merge");
     if (placed.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: there are no parts");
     if (options.vertices < min_vertices)
@@ -336,34 +341,83 @@ Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, Mer
     if (some_apart) co_await drop_specks(pace, surface);
     ImprovedMesh improved =
         co_await improve_mesh(pace, parts, spacing, options.corner_angle, surface.positions, surface.triangles);
-    pace.stage("borders");
-    const size_t inner = surface.positions.size();
-    BorderedMesh cut = co_await cut_at_borders(pace, parts,
-                                               {.spacing = spacing,
-                                                .positions = surface.positions,
-                                                .triangles = surface.triangles,
-                                                .across = {improved.across.data(), improved.across.size()},
-                                                .samples = {improved.samples.data(), improved.samples.size()},
-                                                .is_fixed = {improved.is_fixed.data(), improved.is_fixed.size()}});
-
     Memory* memory = pace.memory();
-    const size_t vertices = cut.positions.size();
+    const size_t vertices = surface.positions.size(), triangles = surface.triangles.size();
+    EvenMesh even{.parts = std::move(parts),
+                  .mesh = {.positions = Buffer<Vec3>(vertices, memory),
+                           .normals = Buffer<Vec3>(vertices, memory),
+                           .triangles = Buffer<TriangleVertices>(triangles, memory),
+                           .parts = Buffer<uint32_t>(vertices, memory),
+                           .triangle_parts = {},
+                           .is_fixed = std::move(improved.is_fixed),
+                           .spacing = spacing,
+                           .even_vertices = static_cast<uint32_t>(vertices)},
+                  .samples = std::move(improved.samples),
+                  .across = std::move(improved.across)};
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+        std::construct_at(&even.mesh.positions[v], surface.positions[v]);
+        std::construct_at(&even.mesh.normals[v], outwards(even.samples[v]));
+        even.mesh.parts[v] = even.samples[v].part;
+    });
+    co_await each(pace, triangles, Cost::some_ns, [&](uint32_t t) { even.mesh.triangles[t] = surface.triangles[t]; });
+    co_return even;
+}
+
+namespace {
+
+// Of a mesh that was cut.
+Task<BoneWeights> carried(Pace& pace, const BoneWeights& weights, std::span<const BorderOrigin> origins) {
+    const size_t inner = weights.weights.size(), all = inner + origins.size();
+    BoneWeights out{Buffer<VertexJoints>(all, pace.memory()), Buffer<VertexWeights>(all, pace.memory())};
+    co_await each(pace, all, Cost::tens_of_ns, [&](uint32_t v) {
+        const bool is_new = v >= inner;
+        const uint32_t first = is_new ? origins[v - inner].vertices[0] : v;
+        out.joints[v] = weights.joints[first];
+        out.weights[v] = weights.weights[first];
+        if (!is_new) return;
+        const auto& [of, shares] = origins[v - inner];
+        mix_weights(out.joints[v], out.weights[v], weights.joints[of[1]], weights.weights[of[1]],
+                    shares[1] / (shares[0] + shares[1]));
+        if (shares[2] > 0)
+            mix_weights(out.joints[v], out.weights[v], weights.joints[of[2]], weights.weights[of[2]], shares[2]);
+    });
+    co_return out;
+}
+
+}  // namespace
+
+Task<MergedMesh> cut_merged(Pace& pace, EvenMesh& even, BoneWeights* weights) {
+    pace.stage("borders");
+    MergedMesh& from = even.mesh;
+    BorderedMesh cut = co_await cut_at_borders(pace, even.parts,
+                                               {.spacing = from.spacing,
+                                                .positions = {from.positions.data(), from.positions.size()},
+                                                .triangles = {from.triangles.data(), from.triangles.size()},
+                                                .across = {even.across.data(), even.across.size()},
+                                                .samples = {even.samples.data(), even.samples.size()},
+                                                .is_fixed = {from.is_fixed.data(), from.is_fixed.size()}});
+    Memory* memory = pace.memory();
+    const size_t inner = from.positions.size(), vertices = cut.positions.size();
     MergedMesh mesh{.positions = std::move(cut.positions),
                     .normals = Buffer<Vec3>(vertices, memory),
                     .triangles = std::move(cut.triangles),
                     .parts = Buffer<uint32_t>(vertices, memory),
                     .triangle_parts = std::move(cut.triangle_parts),
                     .is_fixed = Buffer<uint8_t>(vertices, memory),
-                    .spacing = spacing,
-                    .even_vertices = static_cast<uint32_t>(inner)};
+                    .spacing = from.spacing,
+                    .even_vertices = from.even_vertices};
     co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
-        const Vec3& gradient = cut.samples[v].gradient;
-        const double steep = gradient.norm();
-        std::construct_at(&mesh.normals[v], steep > 0 ? Vec3(-gradient / steep) : Vec3(Vec3::UnitZ()));
+        std::construct_at(&mesh.normals[v], outwards(cut.samples[v]));
         mesh.parts[v] = cut.samples[v].part;
-        mesh.is_fixed[v] = v < inner ? improved.is_fixed[v] : uint8_t{0};
+        mesh.is_fixed[v] = v < inner ? from.is_fixed[v] : uint8_t{0};
     });
+    if (weights) *weights = co_await carried(pace, *weights, {cut.origins.data(), cut.origins.size()});
     co_return mesh;
+}
+
+Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
+    EvenMesh even = co_await merge_evenly(pace, placed, options);
+    co_return co_await cut_merged(pace, even, nullptr);
 }
 
 }  // namespace flg

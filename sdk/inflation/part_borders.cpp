@@ -57,7 +57,8 @@ struct BorderCut {
           cut(3 * of_mesh.triangles.size(), memory),
           points(memory),
           point_owners(memory),
-          point_samples(memory) {}
+          point_samples(memory),
+          point_origins(memory) {}
 
     void begin(uint32_t vertex) {
         Owners own;
@@ -192,8 +193,9 @@ struct BorderCut {
         mesh.samples[vertex].part = p;
     }
 
-    uint32_t add_point(const Vec3& at, const Owners& own) {
+    uint32_t add_point(const Vec3& at, const Owners& own, const BorderOrigin& origin) {
         points.push_back(at);
+        point_origins.push_back(origin);
         point_owners.push_back(own);
         point_samples.push_back(parts.sample(at));
         point_samples.back().part = own.parts[0];
@@ -213,11 +215,13 @@ struct BorderCut {
         const std::optional<double> share = crossing(a, b);
         if (!share) return;
         const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b];
-        const Vec3 on_edge = pa + std::clamp(*share, 0.05, 0.95) * (pb - pa);
+        const double along = std::clamp(*share, 0.05, 0.95);
+        const Vec3 on_edge = pa + along * (pb - pa);
         Owners own;
         own.add(owners[a].parts[0]);
         own.add(owners[b].parts[0]);
-        cut[side] = cut[other_side] = add_point(settled(on_edge, own.parts[0], own.parts[1]), own);
+        cut[side] = cut[other_side] =
+            add_point(settled(on_edge, own.parts[0], own.parts[1]), own, {{a, b, a}, {1 - along, along, 0}});
     }
 
     uint32_t cuts_of(uint32_t triangle) const {
@@ -257,7 +261,7 @@ struct BorderCut {
             Owners own;
             for (const uint32_t v : t) own.add(owners[v].parts[0]);
             const Vec3 middle = (at(sides[0]) + at(sides[1]) + at(sides[2])) / 3;
-            const uint32_t centre = add_point(landed(middle), own);
+            const uint32_t centre = add_point(landed(middle), own, {t, {1.0 / 3, 1.0 / 3, 1.0 / 3}});
             for (uint32_t k = 0; k < 3; ++k) {
                 add(t[k], sides[(k + 2) % 3], centre);
                 add(t[k], centre, sides[(k + 1) % 3]);
@@ -293,6 +297,7 @@ struct BorderCut {
     std::pmr::deque<Vec3> points;
     std::pmr::deque<Owners> point_owners;
     std::pmr::deque<PartUnion::Sample> point_samples;
+    std::pmr::deque<BorderOrigin> point_origins;
     Buffer<TriangleVertices>* out = nullptr;
     Buffer<uint32_t>* out_parts = nullptr;
     uint32_t made = 0;  // triangles that are out
@@ -317,13 +322,15 @@ Task<BorderedMesh> cut_at_borders(Pace& pace, const PartUnion& parts, UnionMesh 
         centres += cut.cuts_of(t) == 3;
     });
     const size_t all = vertices + cut.points.size() + centres;
-    BorderedMesh result{Buffer<Vec3>(all, memory), Buffer<PartUnion::Sample>(all, memory),
-                        Buffer<TriangleVertices>(triangles, memory), Buffer<uint32_t>(triangles, memory)};
+    BorderedMesh result{Buffer<Vec3>(all, memory), Buffer<BorderOrigin>(all - vertices, memory),
+                        Buffer<PartUnion::Sample>(all, memory), Buffer<TriangleVertices>(triangles, memory),
+                        Buffer<uint32_t>(triangles, memory)};
     cut.out = &result.triangles;
     cut.out_parts = &result.triangle_parts;
     co_await each(pace, mesh.triangles.size(), Cost::hundreds_of_ns, [&](uint32_t t) { cut.cut_triangle(t); });
     co_await each(pace, all, Cost::tens_of_ns, [&](uint32_t v) {
         std::construct_at(&result.positions[v], cut.at(v));
+        if (v >= vertices) result.origins[v - vertices] = cut.point_origins[v - vertices];
         std::construct_at(&result.samples[v], v < vertices ? mesh.samples[v] : cut.point_samples[v - vertices]);
     });
     co_return result;

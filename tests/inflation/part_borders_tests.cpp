@@ -67,6 +67,25 @@ TEST(PartBorders, FollowWhereBothPartsAreAlike) {
     }
 }
 
+// New vertices have the weights of their place between others; those that were there keep theirs.
+TEST(PartBorders, CarryWeights) {
+    const Model model = animal();
+    EvenMesh even = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = 3000}); }, false);
+    const BoneWeights before = weights_of(even.mesh, model);
+    BoneWeights weights = weights_of(even.mesh, model);
+    const MergedMesh mesh = made([&](Pace& pace) { return cut_merged(pace, even, &weights); }, false);
+    ASSERT_GT(mesh.positions.size(), before.weights.size() + 50);
+    ASSERT_EQ(weights.weights.size(), mesh.positions.size());
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+        double sum = 0;
+        for (const float weight : weights.weights[v]) sum += static_cast<double>(weight);
+        EXPECT_NEAR(sum, 1, 1e-6);
+        EXPECT_GE(weights.weights[v][0], weights.weights[v][1]);
+    }
+    EXPECT_TRUE(std::equal(before.weights.begin(), before.weights.end(), weights.weights.begin()));
+    EXPECT_TRUE(std::equal(before.joints.begin(), before.joints.end(), weights.joints.begin()));
+}
+
 // In the plane between two balls: so the border is a circle, and its length that of one.
 TEST(PartBorders, OfTwoBallsIsACircle) {
     Model model;
