@@ -14,9 +14,9 @@ namespace {
 static_assert(sizeof(std::array<uint16_t, 4>) == 4 * sizeof(uint16_t));
 static_assert(sizeof(std::array<float, 4>) == 4 * sizeof(float));
 
-constexpr double held = 1.25;        // of the radii of a limb and of what it hangs on: so far they are one
-constexpr double max_surplus = 1.1;  // of vertices: from so many on, thin parts need them
-constexpr double gap_cells = 2;      // between parts that pass each other, by the length of edges
+constexpr double held = 1.25;         // of the radii of a limb and of what it hangs on: so far they are one
+constexpr double max_surplus = 1.25;  // of vertices: from so many on, thin parts need them
+constexpr double gap_cells = 2;       // between parts that pass each other, by the length of edges
 
 // Whether a part's axis is on one side of the mirror: then it and its image are two things, however near they are.
 Task<bool> is_beside_mirror(Pace& pace, const HeldModel& model, const ModelPart& part) {

@@ -16,12 +16,13 @@ namespace {
 constexpr uint32_t none = UINT32_MAX;
 constexpr double alike = 1e-3;       // by the spacing: parts whose values differ by less are one there
 constexpr double near_share = 0.3;   // of an edge: vertices that are nearer to a border move onto it
-constexpr double min_turn = 0.3;     // cosine: how far triangles may turn when a vertex moves
-constexpr double min_breadth = 0.2;  // of a triangle's height by its longest side, after a vertex moved
+constexpr double min_turn = 0.5;     // cosine: how far triangles may turn when a vertex moves
+constexpr double min_breadth = 0.3;  // of a triangle's height by its longest side, after a vertex moved
 constexpr uint32_t halvings = 10, newton_steps = 16;
 constexpr double near_enough = 0.02 * border_tolerance;
-constexpr double max_step = 0.5, max_way = 1;  // from the edge, by the spacing
-constexpr double least_det = 0.02;             // sine squared between the surface and where parts are alike
+constexpr double max_step = 0.3, max_way = 0.25;  // from the edge, by the spacing
+constexpr double landing = 0.8;                   // of the tolerance: what is farther off is put onto the surface
+constexpr double least_det = 0.02;                // sine squared between the surface and where parts are alike
 
 // Which parts a point belongs to: those that meet there.
 struct Owners {
@@ -58,7 +59,8 @@ struct BorderCut {
           points(memory),
           point_owners(memory),
           point_samples(memory),
-          point_origins(memory) {}
+          point_origins(memory),
+          centres(memory) {}
 
     void begin(uint32_t vertex) {
         Owners own;
@@ -95,7 +97,7 @@ struct BorderCut {
 
     // From near a border onto it: to a point nearby where the surface is, and both parts are alike. By Newton's method,
     // with shorter steps where the last one led farther away; where both are about parallel, to the surface alone.
-    Vec3 settled(const Vec3& from, uint32_t p, uint32_t q) const {
+    Vec3 settled(const Vec3& from, uint32_t p, uint32_t q, const Vec3& outwards) const {
         Vec3 at = from;
         Off here = off(at, p, q);
         double share = 1;
@@ -118,26 +120,20 @@ struct BorderCut {
             here = there;
             share = std::min(1.0, 2 * share);
         }
-        return std::fabs(here.whole.value) > border_tolerance * mesh.spacing ? landed(at) : at;
+        return std::fabs(here.whole.value) > landing * border_tolerance * mesh.spacing ? landed(from, outwards) : at;
     }
 
-    // Onto the surface alone, where it has a kink that both are not found at.
-    Vec3 landed(Vec3 at) const {
-        PartUnion::Sample here = parts.sample(at);
-        double share = 1;
-        for (uint32_t i = 0; i < newton_steps && std::fabs(here.value) > near_enough * mesh.spacing; ++i) {
-            const double steep = here.gradient.squaredNorm();
-            if (!(steep > 0)) break;
-            const Vec3 to = at - here.gradient * (share * here.value / steep);
-            const PartUnion::Sample there = parts.sample(to);
-            if (std::fabs(there.value) >= std::fabs(here.value) || (to - at).norm() > max_step * mesh.spacing) {
-                share /= 2;
-                continue;
-            }
-            at = to;
-            here = there;
-        }
-        return at;
+    // Onto the surface alone, straight out or in: at a kink both are not found together. Where the surface is too far
+    // off it stays.
+    Vec3 landed(const Vec3& from, const Vec3& outwards) const {
+        if (!(outwards.norm() > 0)) return from;
+        const Vec3 reach = max_way * mesh.spacing * outwards.normalized();
+        double low = -1, high = 1;
+        const bool grows = parts.sample(from + high * reach).value > parts.sample(from + low * reach).value;
+        const auto is_low = [&](double way) { return (parts.sample(from + way * reach).value < 0) == grows; };
+        if (!is_low(low) || is_low(high)) return from;
+        for (uint32_t i = 0; i < halvings; ++i) (is_low((low + high) / 2) ? low : high) = (low + high) / 2;
+        return from + (low + high) / 2 * reach;
     }
 
     void find_near(uint32_t corner) {
@@ -183,7 +179,9 @@ struct BorderCut {
         if (!share || *share >= near_share) return;
         Vec3& at = mesh.positions[vertex];
         const uint32_t p = owners[vertex].parts[0], q = owners[other].parts[0];
-        const Vec3 to = settled(at + *share * (mesh.positions[other] - at), p, q);
+        const Vec3& outwards = mesh.samples[vertex].gradient;
+        const Vec3 to = settled(at + *share * (mesh.positions[other] - at), p, q, outwards);
+        if (std::fabs(parts.sample(to).value) > border_tolerance * mesh.spacing) return;
         Owners then = owners[vertex];
         then.add(q);
         if (!may_move(vertex, to, then)) return;
@@ -217,11 +215,14 @@ struct BorderCut {
         const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b];
         const double along = std::clamp(*share, 0.05, 0.95);
         const Vec3 on_edge = pa + along * (pb - pa);
+        const Vec3 outwards = mesh.samples[a].gradient + mesh.samples[b].gradient;
         Owners own;
         own.add(owners[a].parts[0]);
         own.add(owners[b].parts[0]);
-        cut[side] = cut[other_side] =
-            add_point(settled(on_edge, own.parts[0], own.parts[1]), own, {{a, b, a}, {1 - along, along, 0}});
+        const Vec3 at = settled(on_edge, own.parts[0], own.parts[1], outwards);
+        // Where the surface is not near, as between parts that barely touch, the border goes around the triangles.
+        if (std::fabs(parts.sample(at).value) > border_tolerance * mesh.spacing) return;
+        cut[side] = cut[other_side] = add_point(at, own, {{a, b, a}, {1 - along, along, 0}});
     }
 
     uint32_t cuts_of(uint32_t triangle) const {
@@ -252,20 +253,41 @@ struct BorderCut {
         (*out_parts)[made++] = part_of(t);
     }
 
+    // Where three parts meet in a triangle, if the surface is near its middle. Returns how many triangles it becomes.
+    uint32_t count_triangles(uint32_t triangle) {
+        const uint32_t cuts = cuts_of(triangle);
+        if (cuts < 3) return 1 + cuts;
+        const TriangleVertices& t = mesh.triangles[triangle];
+        Owners own;
+        Vec3 outwards = Vec3::Zero(), middle = Vec3::Zero();
+        for (uint32_t k = 0; k < 3; ++k) {
+            own.add(owners[t[k]].parts[0]);
+            outwards += mesh.samples[t[k]].gradient;
+            middle += at(cut[3 * triangle + k]) / 3;
+        }
+        const Vec3 centre = landed(middle, outwards);
+        const bool is_near = std::fabs(parts.sample(centre).value) <= border_tolerance * mesh.spacing;
+        centres.push_back(is_near ? add_point(centre, own, {t, {1.0 / 3, 1.0 / 3, 1.0 / 3}}) : none);
+        return is_near ? 6 : 4;
+    }
+
     void cut_triangle(uint32_t triangle) {
         const TriangleVertices& t = mesh.triangles[triangle];
         const uint32_t* sides = &cut[size_t{3} * triangle];
         const uint32_t cuts = cuts_of(triangle);
         if (cuts == 0) return add(t[0], t[1], t[2]);
         if (cuts == 3) {
-            Owners own;
-            for (const uint32_t v : t) own.add(owners[v].parts[0]);
-            const Vec3 middle = (at(sides[0]) + at(sides[1]) + at(sides[2])) / 3;
-            const uint32_t centre = add_point(landed(middle), own, {t, {1.0 / 3, 1.0 / 3, 1.0 / 3}});
+            const uint32_t centre = centres[next_centre++];
             for (uint32_t k = 0; k < 3; ++k) {
-                add(t[k], sides[(k + 2) % 3], centre);
-                add(t[k], centre, sides[(k + 1) % 3]);
+                const uint32_t before = sides[(k + 2) % 3], after = sides[(k + 1) % 3];
+                if (centre == none) {
+                    add(t[k], before, after);
+                    continue;
+                }
+                add(t[k], before, centre);
+                add(t[k], centre, after);
             }
+            if (centre == none) add(sides[0], sides[1], sides[2]);
             return;
         }
         // The corner that is alone on its side of the border, or, with one cut, the one opposite to it.
@@ -300,6 +322,8 @@ struct BorderCut {
     std::pmr::deque<BorderOrigin> point_origins;
     Buffer<TriangleVertices>* out = nullptr;
     Buffer<uint32_t>* out_parts = nullptr;
+    std::pmr::deque<uint32_t> centres;  // of triangles that are cut three times
+    size_t next_centre = 0;
     uint32_t made = 0;  // triangles that are out
 };
 
@@ -315,13 +339,10 @@ Task<BorderedMesh> cut_at_borders(Pace& pace, const PartUnion& parts, UnionMesh 
     co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t v) { cut.move(v); });
     co_await each(pace, sides, Cost::hundreds_of_ns, [&](uint32_t side) { cut.cut_side(side); });
 
-    constexpr uint32_t by_cuts[] = {1, 2, 3, 6};
-    size_t triangles = 0, centres = 0;
-    co_await each(pace, mesh.triangles.size(), Cost::some_ns, [&](uint32_t t) {
-        triangles += by_cuts[cut.cuts_of(t)];
-        centres += cut.cuts_of(t) == 3;
-    });
-    const size_t all = vertices + cut.points.size() + centres;
+    size_t triangles = 0;
+    co_await each(pace, mesh.triangles.size(), Cost::tens_of_ns,
+                  [&](uint32_t t) { triangles += cut.count_triangles(t); });
+    const size_t all = vertices + cut.points.size();
     BorderedMesh result{Buffer<Vec3>(all, memory), Buffer<BorderOrigin>(all - vertices, memory),
                         Buffer<PartUnion::Sample>(all, memory), Buffer<TriangleVertices>(triangles, memory),
                         Buffer<uint32_t>(triangles, memory)};
