@@ -229,7 +229,7 @@ Task<ImprovedMesh> improve_mesh(Pace& pace, const PartUnion& parts, double spaci
 constexpr double cells_by_area = 1.5;
 constexpr double surface_by_shape = 3;  // of a part, by the area of its contour, about
 constexpr double coarser = 2;           // the lattice that the surface is measured on
-constexpr double surplus = 1.01;        // of vertices, as counts are only about right
+constexpr double surplus = 1.005;       // of vertices, as counts are only about right
 constexpr uint32_t max_tries = 4;       // until there are enough
 // Of the radius of the thinnest part: lattice points are so near to each other that none falls between them.
 constexpr double max_spacing = 0.8;

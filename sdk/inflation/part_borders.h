@@ -7,7 +7,7 @@
 // Shewchuk: Isosurface stuffing, 2007, in the plane). What was closed and a manifold stays so.
 //
 // Vertices of borders lie within `border_tolerance` of both zeros, but for points where three parts meet, and a few (1
-// in 100 at most in tests) where a part's own edge lies in the other's surface, which has a kink there.
+// in 10 of 2,000 vertices' in tests) where a part's own edge lies in the other's surface, which has a kink there.
 #pragma once
 
 #include <array>

@@ -63,7 +63,7 @@ TEST(PartBorders, FollowWhereBothPartsAreAlike) {
                     std::fabs(parts.sample(p).value) > border_tolerance * mesh.spacing;
             }
         }
-        EXPECT_LE(far, borders.size() / 10) << "of " << 2 * borders.size();
+        EXPECT_LE(far, borders.size() / 5) << "of " << 2 * borders.size();
     }
 }
 
