@@ -58,7 +58,7 @@ SkinVertex pack_vertex(const uint16_t* joints, const float* weights) {
     return vertex;
 }
 
-// The part that two of a triangle's corners are of, else the first's.
+// The skin's, else the part that two of a triangle's corners are of, else the first's.
 std::vector<uint32_t> triangle_parts(const FlgSkinView& skin) {
     std::vector<uint32_t> parts;
     parts.reserve(skin.triangle_count);
@@ -67,6 +67,10 @@ std::vector<uint32_t> triangle_parts(const FlgSkinView& skin) {
         for (int k = 0; k < 3; ++k)
             if (corners[k] >= skin.vertex_count)
                 fail("Triangle %zu names vertex %u; the mesh has %u vertices.", i / 3, corners[k], skin.vertex_count);
+        if (skin.triangle_parts) {
+            parts.push_back(skin.triangle_parts[i / 3]);
+            continue;
+        }
         const uint32_t a = skin.vertex_parts[corners[0]], b = skin.vertex_parts[corners[1]];
         parts.push_back(b == skin.vertex_parts[corners[2]] ? b : a);
     }
@@ -193,7 +197,7 @@ SkinData prepare_skin(const FlgSkinView& skin, const SurfaceLook& look) {
     if (skin.vertex_parts && skin.triangles && look.regions.size() > 1) parts = triangle_parts(skin);
     mesh.regions = parts.empty() ? nullptr : parts.data();
     SkinData data{prepare_surface(mesh, look, {}), {}, SkinBounds(skin.joint_count)};
-    if (!parts.empty()) mark_other_parts(data.surface, skin, look);
+    if (!parts.empty() && !skin.triangle_parts) mark_other_parts(data.surface, skin, look);
     data.vertices.reserve(data.surface.positions.size());
     for (size_t v = 0; v < skin.vertex_count; ++v) {
         const uint16_t* joints = skin.vertex_joints + 4 * v;

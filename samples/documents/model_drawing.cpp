@@ -119,8 +119,9 @@ void read_thresholds(const JsonPlace& item, FlgBoneThresholds& out) {
 }
 
 DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, ModelDrawing& drawing) {
-    item.allow({"name", "contour", "curve", "at", "turn", "scale", "thickness", "mirrored", "simplify", "merge",
-                "prune", "collapse", "detail", "color", "metallic", "roughness", "parent", "parent_joint", "depth"});
+    item.allow({"name",     "contour",   "curve",  "at",           "turn",     "scale",  "thickness",
+                "mirrored", "simplify",  "merge",  "prune",        "collapse", "detail", "color",
+                "metallic", "roughness", "parent", "parent_joint", "depth",    "picture"});
     DrawnPart part;
     part.name = item.at("name").text();
     const auto contour = item.find("contour"), curve = item.find("curve");
@@ -138,6 +139,11 @@ DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, 
     if (const auto place = item.find("mirrored")) part.is_mirrored = place->flag();
     if (const auto place = item.find("parent")) part.parent = place->text();
     if (const auto place = item.find("parent_joint")) part.parent_joint = place->text();
+    if (const auto place = item.find("picture")) {
+        const std::vector<double> box = read_numbers(*place, 4);
+        if (!(box[0] < box[2] && box[1] < box[3])) place->fail("must be [left, bottom, right, top]");
+        std::copy(box.begin(), box.end(), part.picture.begin());
+    }
     read_look(item, part, drawing);
     part.thresholds = drawing.thresholds;
     read_thresholds(item, *part.thresholds);
@@ -178,7 +184,7 @@ ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& sub
                               const std::filesystem::path& folder) {
     const JsonPlace whole(json, subject + ": model");
     whole.allow({"parts", "mirror", "simplify", "merge", "prune", "collapse", "detail", "root", "root_joint", "joints",
-                 "apart"});
+                 "apart", "texture"});
     ModelDrawing drawing;
     if (const auto place = whole.find("mirror")) {
         const std::vector<double> plane = read_numbers(*place, 4);
@@ -187,6 +193,7 @@ ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& sub
     read_thresholds(whole, drawing.thresholds);
     for (const JsonPlace& item : whole.at("parts").items()) drawing.parts.push_back(read_part(item, folder, drawing));
     if (drawing.parts.empty()) whole.at("parts").fail("is empty");
+    if (const auto place = whole.find("texture")) drawing.texture = (folder / place->text()).string();
     if (const auto place = whole.find("root")) drawing.root = place->text();
     if (const auto place = whole.find("root_joint")) drawing.root_joint = place->text();
     if (const auto place = whole.find("joints"))
@@ -231,6 +238,7 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
         part.thickness = drawn.thickness;
         part.depth = drawn.depth;
         part.mirrored = drawn.is_mirrored;
+        std::copy(drawn.picture.begin(), drawn.picture.end(), part.picture);
         part.thresholds = drawn.thresholds ? &*drawn.thresholds : nullptr;
         if (!drawn.parent.empty()) part.parent = part_named(drawing, drawn.parent, name);
         part.parent_joint = drawn.parent_joint.empty() ? nullptr : drawn.parent_joint.c_str();

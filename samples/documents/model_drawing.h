@@ -27,6 +27,7 @@ struct DrawnPart {
     std::optional<FlgBoneThresholds> thresholds;
     FlgMeshMaterial material = flgMeshMaterialDefaults();  // without a name
     std::string parent, parent_joint;                      // names; empty: to be found
+    std::array<double, 4> picture{};                       // as FlgModelPart has it
 };
 
 // As FlgJointEdit.
@@ -45,6 +46,7 @@ struct ModelDrawing {
     std::array<float, 4> mirror = {1, 0, 0, 0};
     FlgBoneThresholds thresholds = flgBoneThresholdsDefaults();
     bool has_colors = false;
+    std::string texture;           // a picture's file; empty: none
     bool repair = false;           // contours that cross themselves
     std::string root, root_joint;  // of the part, and of its joint; empty: to be found
     std::vector<JointEdit> joint_edits;

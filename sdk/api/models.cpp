@@ -93,6 +93,16 @@ ModelPart read_part(Context& context, const FlgModelPart& in, const FlgBoneThres
     out.name = in.name ? in.name : default_name;
     check_range(std::isfinite(in.depth), field("depth"), in.depth, "finite");
     out.depth = in.depth;
+    std::array<double, 4>& picture = out.picture;
+    for (uint32_t k = 0; k < picture.size(); ++k) {
+        check_range(std::abs(in.picture[k]) <= 1e30, field("picture"), in.picture[k],
+                    "finite and at most 1e30 in size");
+        picture[k] = in.picture[k];
+    }
+    if (picture != std::array<double, 4>{} && !(picture[0] < picture[2] && picture[1] < picture[3]))
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.parts[%u].picture is %g to %g by %g to %g: left and bottom must come first", number,
+                      picture[0], picture[2], picture[1], picture[3]);
     out.parent = in.parent;
     if (in.parent_joint) out.parent_joint = in.parent_joint;
     if (out.name.empty() || out.name.size() > max_name)

@@ -43,6 +43,9 @@ Vec3 read_direction(const float (&direction)[3], const char* argument) {
     return load_vec3(direction);
 }
 
+constexpr uint32_t least_vertices = 4;  // of a closed surface
+constexpr float half_turn = 3.14159274f;
+
 }  // namespace
 
 }  // namespace flg
@@ -97,11 +100,14 @@ FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* ou
         check_range(read.vertex_count >= fewest_vertices && read.vertex_count <= read.max_vertices, "desc.vertex_count",
                     read.vertex_count, "100 to max_vertices");
         check_range(is_coordinate(read.blend), "desc.blend", read.blend, "finite and at most 1e30 in size");
+        check_range(read.corner_angle >= 0 && read.corner_angle <= half_turn, "desc.corner_angle", read.corner_angle,
+                    "0 to pi");
         const auto out = self.make(self.skins);
         out->model = self.models.get(read.model.id, "desc.model");
         out->options.vertices = read.vertex_count;
         out->options.max_vertices = read.max_vertices;
         out->options.blend = read.blend;
+        out->options.corner_angle = static_cast<double>(read.corner_angle);
         Submission submission(self, read.job);
         submission.read(*out->model, "desc.model");
         submission.job().strand.start(make_skin(submission.pace(), out));
@@ -139,6 +145,28 @@ FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgSkinFromMeshDesc* d
         const auto out = self.make(self.skins);
         out->origin = read_origin(mesh.origin, "desc.mesh.origin");
         submission.job().strand.start(make_mesh_skin(submission.pace(), out, request));
+        *out_skin = {submission.commit(self.skins, out, out_job)};
+    });
+}
+
+FlgResult flgSkinSimplifyDescInit(FlgSkinSimplifyDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgSkinSimplifyDesc>());
+}
+
+FlgResult flgSkinSimplify(FlgContext context, const FlgSkinSimplifyDesc* desc, FlgSkin* out_skin, FlgJob* out_job) {
+    return guarded([&] {
+        Context& self = clear_outputs(context, out_skin, "out_skin", out_job);
+        const FlgSkinSimplifyDesc read = read_struct(desc, sized<FlgSkinSimplifyDesc>(), "desc");
+        check_range(read.vertex_count >= least_vertices, "desc.vertex_count", read.vertex_count, "at least 4");
+        const std::shared_ptr<const HeldSkin> source = self.skins.get(read.skin.id, "desc.skin");
+        if (!source->model)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.skin was made of a mesh; skins of models have levels");
+        const auto out = self.make(self.skins);
+        out->model = source->model;
+        out->options.vertices = read.vertex_count;
+        Submission submission(self, read.job);
+        submission.read(*source, "desc.skin");
+        submission.job().strand.start(make_simpler_skin(submission.pace(), source, out));
         *out_skin = {submission.commit(self.skins, out, out_job)};
     });
 }

@@ -24,6 +24,7 @@ struct ModelPart {
     double scale = 1;  // of the placement
     double thickness = 1;
     double depth = 0;                          // as FlgModelPart has it
+    std::array<double, 4> picture{};           // likewise
     FlgBoneThresholds thresholds{};            // shares of the model's size
     std::pmr::vector<double> branch_simplify;  // by branch, negative: the part's; none: all the part's
     std::pmr::string name, suffix;

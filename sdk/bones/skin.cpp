@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "bones/part_body.h"
+#include "inflation/mesh_simplification.h"
 #include "inflation/part_depths.h"
 #include "runtime/each.h"
 
@@ -13,8 +14,9 @@ namespace {
 static_assert(sizeof(std::array<uint16_t, 4>) == 4 * sizeof(uint16_t));
 static_assert(sizeof(std::array<float, 4>) == 4 * sizeof(float));
 
-constexpr double held = 1.25;    // of the radii of a limb and of what it hangs on: so far they are one
-constexpr double gap_cells = 2;  // between parts that pass each other, by the length of edges
+constexpr double held = 1.25;         // of the radii of a limb and of what it hangs on: so far they are one
+constexpr double max_surplus = 1.25;  // of vertices: from so many on, thin parts need them
+constexpr double gap_cells = 2;       // between parts that pass each other, by the length of edges
 
 // Whether a part's axis is on one side of the mirror: then it and its image are two things, however near they are.
 Task<bool> is_beside_mirror(Pace& pace, const HeldModel& model, const ModelPart& part) {
@@ -123,6 +125,19 @@ Task<std::pmr::vector<BoneSegment>> bone_segments(Pace& pace, const BoneTree& tr
     co_return segments;
 }
 
+bool has_pictures(const HeldModel& model) {
+    return std::any_of(model.parts.begin(), model.parts.end(),
+                       [](const ModelPart& part) { return part.picture != std::array<double, 4>{}; });
+}
+
+Task<void> show_all(Pace& pace, HeldSkin& skin) {
+    co_await each(pace, skin.mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin.show_vertex(v); });
+    if (has_pictures(*skin.model))
+        co_await each(pace, 3 * skin.mesh.triangles.size(), Cost::tens_of_ns,
+                      [&](uint32_t corner) { skin.show_corner(corner); });
+    co_await each(pace, skin.tree.joints.size(), Cost::some_ns, [&](uint32_t j) { skin.show_joint(j); });
+}
+
 }  // namespace
 
 void HeldSkin::show_vertex(size_t vertex) {
@@ -134,6 +149,17 @@ void HeldSkin::show_vertex(size_t vertex) {
         columns_.positions.push_back(static_cast<float>(mesh.positions[vertex][i]));
         columns_.normals.push_back(static_cast<float>(mesh.normals[vertex][i]));
     }
+}
+
+// Where it is in the picture of the triangle's part, along the plane's normal.
+void HeldSkin::show_corner(size_t corner) {
+    if (columns_.corner_uvs.empty()) columns_.corner_uvs.reserve(6 * mesh.triangles.size());
+    const ModelPart& part = model->parts[mesh.triangle_parts[corner / 3]];
+    const auto& [left, bottom, right, top] = part.picture;
+    const Point2 at = part.drawn(mesh.positions[mesh.triangles[corner / 3][corner % 3]]);
+    const bool has_picture = right > left;
+    columns_.corner_uvs.push_back(has_picture ? static_cast<float>((at.x - left) / (right - left)) : 0);
+    columns_.corner_uvs.push_back(has_picture ? static_cast<float>((top - at.y) / (top - bottom)) : 0);
 }
 
 void HeldSkin::show_joint(size_t joint) {
@@ -160,7 +186,9 @@ void HeldSkin::show() noexcept {
              .joint_names = columns_.joint_names.data(),
              .origin = {},
              .joint_radii = columns_.joint_radii.data(),
-             .mirror = {}};
+             .mirror = {},
+             .triangle_parts = mesh.triangle_parts.data(),
+             .corner_uvs = columns_.corner_uvs.empty() ? nullptr : columns_.corner_uvs.data()};
     write_origin(origin, view_.origin);
     store_vec3(mirror_normal, view_.mirror);
     view_.mirror[3] = static_cast<float>(mirror_offset);
@@ -187,20 +215,42 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
         placed[p].lift = depths.lift(p);
     });
     co_await lift_joints(pace, placed, model.tree, skin->tree);
-    skin->mesh = co_await merge_parts(pace, placed, skin->options);
+    EvenMesh even = co_await merge_evenly(pace, placed, skin->options);
     const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, skin->tree, model.part_joints);
     Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
     co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t j) { parents[j] = model.tree.joints[j].parent; });
     const BoneRig rig{bones, {parents.data(), parents.size()}};
-    skin->weights = co_await bone_weights(pace, skin->mesh, placed, rig, BoneWeightOptions());
+    skin->weights = co_await bone_weights(pace, even.mesh, placed, rig, BoneWeightOptions());
+    skin->mesh = co_await cut_merged(pace, even, &skin->weights);
+    // Borders take more vertices than were asked for. Where thin parts do, they stay: with larger triangles, limbs that
+    // pass close by each other would cut through each other.
+    const bool is_even = skin->mesh.even_vertices <= max_surplus * skin->options.vertices;
+    if (is_even && skin->mesh.positions.size() > skin->options.vertices) {
+        SimplifiedMesh simpler = co_await simplify_mesh(pace, skin->mesh, skin->weights, skin->options.vertices);
+        skin->mesh = std::move(simpler.mesh);
+        skin->weights = std::move(simpler.weights);
+    }
     // One by one: all at once they would take longer to be given back than a slice may.
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
     for (; !depths.lifts.empty(); depths.lifts.pop_back()) co_await pace;
-    co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
-    co_await each(pace, skin->tree.joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
-        skin->names.emplace_back(model.view().joint_names[j]);
-        skin->show_joint(j);
+    co_await each(pace, skin->tree.joints.size(), Cost::tens_of_ns,
+                  [&](uint32_t j) { skin->names.emplace_back(model.view().joint_names[j]); });
+    co_await show_all(pace, *skin);
+}
+
+Task<void> make_simpler_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin) {
+    SimplifiedMesh simpler = co_await simplify_mesh(pace, source->mesh, source->weights, skin->options.vertices);
+    skin->origin = source->origin;
+    skin->mirror_normal = source->mirror_normal;
+    skin->mirror_offset = source->mirror_offset;
+    skin->mesh = std::move(simpler.mesh);
+    skin->weights = std::move(simpler.weights);
+    skin->tree.joints.reserve(source->tree.joints.size());
+    co_await each(pace, source->tree.joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
+        skin->tree.joints.push_back(source->tree.joints[j]);
+        skin->names.emplace_back(source->names[j]);
     });
+    co_await show_all(pace, *skin);
 }
 
 }  // namespace flg

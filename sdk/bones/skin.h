@@ -27,6 +27,7 @@ public:
 
     // The mesh and joints as hosts see them, one by one.
     void show_vertex(size_t vertex);
+    void show_corner(size_t corner);
     void show_joint(size_t joint);
     const float* positions() const { return columns_.positions.data(); }
     const float* normals() const { return columns_.normals.data(); }
@@ -37,11 +38,12 @@ private:
         explicit Columns(Memory* memory)
             : positions(memory),
               normals(memory),
+              corner_uvs(memory),
               joint_positions(memory),
               joint_radii(memory),
               joint_parents(memory),
               joint_names(memory) {}
-        std::pmr::vector<float> positions, normals, joint_positions, joint_radii;
+        std::pmr::vector<float> positions, normals, corner_uvs, joint_positions, joint_radii;
         std::pmr::vector<uint32_t> joint_parents;
         std::pmr::vector<const char*> joint_names;
     };
@@ -54,5 +56,8 @@ private:
 
 // The whole of flgSkinCreate.
 Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin);
+
+// The whole of flgSkinSimplify: `skin` is that of its options' vertices, and of the source's model.
+Task<void> make_simpler_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin);
 
 }  // namespace flg

@@ -462,4 +462,36 @@ Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, NearestBones 
     });
 }
 
+void mix_weights(VertexJoints& joints_a, VertexWeights& a, const VertexJoints& joints_b, const VertexWeights& b,
+                 double share) {
+    struct Bound {
+        uint16_t joint;
+        double weight;
+    };
+    std::array<Bound, 8> bound{};
+    uint32_t count = 0;
+    const auto add = [&](uint16_t joint, double weight) {
+        if (!(weight > 0)) return;
+        for (uint32_t i = 0; i < count; ++i)
+            if (bound[i].joint == joint) {
+                bound[i].weight += weight;
+                return;
+            }
+        bound[count++] = {joint, weight};
+    };
+    for (uint32_t k = 0; k < 4; ++k) add(joints_a[k], (1 - share) * static_cast<double>(a[k]));
+    for (uint32_t k = 0; k < 4; ++k) add(joints_b[k], share * static_cast<double>(b[k]));
+    const auto before = [](const Bound& x, const Bound& y) {
+        return x.weight > y.weight || (x.weight == y.weight && x.joint < y.joint);
+    };
+    for (uint32_t k = 0; k < std::min(count, 4u); ++k)
+        std::swap(bound[k], *std::min_element(bound.begin() + k, bound.begin() + count, before));
+    double sum = 0;
+    for (uint32_t k = 0; k < std::min(count, 4u); ++k) sum += bound[k].weight;
+    for (uint32_t k = 0; k < 4; ++k) {
+        joints_a[k] = k < count ? bound[k].joint : uint16_t{0};
+        a[k] = k < count ? static_cast<float>(bound[k].weight / sum) : 0;
+    }
+}
+
 }  // namespace flg

@@ -32,12 +32,19 @@ struct BoneWeightOptions {
     double reach = 0.4;
 };
 
+using VertexJoints = std::array<uint16_t, 4>;
+using VertexWeights = std::array<float, 4>;
+
 // At most four joints a vertex, the largest weight first. Weights are within [0, 1] and sum to 1 up to rounding; unused
 // ones are joint 0 with weight 0.
 struct BoneWeights {
-    Buffer<std::array<uint16_t, 4>> joints;
-    Buffer<std::array<float, 4>> weights;
+    Buffer<VertexJoints> joints;
+    Buffer<VertexWeights> weights;
 };
+
+// Makes the first's weights (1 - share) of them and `share` of the second's, in the four largest.
+void mix_weights(VertexJoints& joints_a, VertexWeights& a, const VertexJoints& joints_b, const VertexWeights& b,
+                 double share);
 
 // What a surface is bound to.
 struct BoneRig {

@@ -327,4 +327,15 @@ PartUnion::Sample PartUnion::sample(const Vec3& p) const {
     return {largest.value, largest.gradient, first};
 }
 
+ImplicitPart::Sample PartUnion::difference(const Vec3& p, uint32_t a, uint32_t b) const {
+    Near none;
+    none.count = 0;
+    const auto sample = [&](uint32_t part) {
+        const ImplicitPart::Sample whole = parts_[part].sample(p);
+        return apart_from_[part].empty() ? whole : cut_off(whole, part, p, none);
+    };
+    const ImplicitPart::Sample of_a = sample(a), of_b = sample(b);
+    return {of_a.value - of_b.value, of_a.gradient - of_b.gradient};
+}
+
 }  // namespace flg

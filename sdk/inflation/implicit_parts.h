@@ -117,6 +117,8 @@ public:
     std::span<const ImplicitPart> parts() const { return parts_; }
     // Far below 0 where no part is near. About 50 ns, and as much for each part that is near.
     Sample sample(const Vec3& p) const;
+    // The value of part a less that of part b, where others cut them off too; the gradient is not normalized.
+    ImplicitPart::Sample difference(const Vec3& p, uint32_t a, uint32_t b) const;
     // Lengths of blends are at most this.
     double widest_blend() const { return widest_; }
 

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "core/failure.h"
+#include "inflation/bone_weights.h"
+#include "inflation/sharp_corners.h"
 #include "inflation/surface_extraction.h"
 #include "runtime/each.h"
 #include "skeletons/node_clusters.h"
@@ -27,9 +29,9 @@ constexpr double near_enough = 1e-3;      // by the spacing
 constexpr double max_step = 0.5;          // onto the surface, by the spacing
 constexpr double min_turn = 0.3;          // cosine between triangles whose side may be flipped
 constexpr double noise = 1e-9;
-
-// The triangle across each side of a triangle: side k is opposite to corner k.
-using Across = std::array<uint32_t, 3>;
+constexpr uint32_t corners_before = 2;  // the round that corners get their vertices before
+constexpr double corner_length = 1.5;   // over which contours turn at a corner, by the spacing
+constexpr double corner_reach = 3;      // of the vertex that is nearest to one, likewise
 
 Task<Buffer<Across>> triangles_across(Pace& pace, uint32_t vertices, std::span<const TriangleVertices> triangles) {
     // Side k of a triangle begins at the corner after k.
@@ -70,12 +72,23 @@ struct Improvement {
     }
 
     void move(uint32_t vertex) {
+        if (is_fixed[vertex]) return;
         Vec3 step = sums[vertex] / counts[vertex] - positions[vertex];
         const Vec3& normal = samples[vertex].gradient;
         const double steep = normal.squaredNorm();
         if (steep > noise) step -= normal * (normal.dot(step) / steep);
         positions[vertex] += step;
         land(vertex);
+    }
+
+    void put(uint32_t vertex, const SharpCorner& corner) {
+        is_fixed[vertex] = 1;
+        positions[vertex] = corner.at;
+        PartUnion::Sample sample = parts.sample(corner.at);
+        // A tip is flat: its slope says little.
+        if (sample.gradient.squaredNorm() < noise) sample.gradient = samples[vertex].gradient;
+        sample.part = corner.part;
+        std::construct_at(&samples[vertex], sample);
     }
 
     // Whether a vertex is next to the vertex at a corner of a triangle.
@@ -139,6 +152,7 @@ struct Improvement {
     Buffer<PartUnion::Sample> samples;
     Buffer<Vec3> sums;  // of neighbours
     Buffer<uint32_t> counts;
+    Buffer<uint8_t> is_fixed;
     Buffer<Across> across;
     uint32_t flips = 0;
 };
@@ -167,10 +181,25 @@ Task<void> smooth(Pace& pace, Improvement& mesh) {
     co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t v) { mesh.move(v); });
 }
 
-// Of a closed manifold near the surface of the union, with sides of about `spacing`. Returns what the union is at each
-// vertex. All outlive the task. Takes about 5 us a vertex.
-Task<Buffer<PartUnion::Sample>> improve_mesh(Pace& pace, const PartUnion& parts, double spacing,
-                                             std::span<Vec3> positions, std::span<TriangleVertices> triangles) {
+Task<void> put_corners(Pace& pace, Improvement& mesh, double angle) {
+    const std::pmr::vector<SharpCorner> corners =
+        co_await sharp_corners(pace, mesh.parts, angle, corner_length * mesh.spacing);
+    const Buffer<uint32_t> vertices = co_await vertices_at(pace, corners, mesh.positions, corner_reach * mesh.spacing);
+    co_await each(pace, corners.size(), Cost::hundreds_of_ns, [&](uint32_t c) {
+        if (vertices[c] != UINT32_MAX) mesh.put(vertices[c], corners[c]);
+    });
+}
+
+struct ImprovedMesh {
+    Buffer<PartUnion::Sample> samples;  // what the union is at each vertex
+    Buffer<Across> across;
+    Buffer<uint8_t> is_fixed;  // by vertex: a sharp corner
+};
+
+// Of a closed manifold near the surface of the union, with sides of about `spacing`. All outlive the task. Takes about
+// 5 us a vertex.
+Task<ImprovedMesh> improve_mesh(Pace& pace, const PartUnion& parts, double spacing, double corner_angle,
+                                std::span<Vec3> positions, std::span<TriangleVertices> triangles) {
     Memory* memory = pace.memory();
     const auto vertices = static_cast<uint32_t>(positions.size());
     Improvement mesh{.parts = parts,
@@ -180,21 +209,28 @@ Task<Buffer<PartUnion::Sample>> improve_mesh(Pace& pace, const PartUnion& parts,
                      .samples = Buffer<PartUnion::Sample>(vertices, memory),
                      .sums = Buffer<Vec3>(vertices, memory),
                      .counts = Buffer<uint32_t>(vertices, memory),
+                     .is_fixed = Buffer<uint8_t>(vertices, memory),
                      .across = {}};
-    co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t v) { mesh.land(v); });
+    co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t v) {
+        mesh.is_fixed[v] = 0;
+        mesh.land(v);
+    });
     mesh.across = co_await triangles_across(pace, vertices, triangles);
     for (uint32_t round = 0; round < rounds; ++round) {
+        if (round == corners_before && corner_angle > 0) co_await put_corners(pace, mesh, corner_angle);
         if (std::find(std::begin(flips_before), std::end(flips_before), round) != std::end(flips_before))
             co_await flip_sides(pace, mesh);
         co_await smooth(pace, mesh);
     }
-    co_return std::move(mesh.samples);
+    co_return ImprovedMesh{std::move(mesh.samples), std::move(mesh.across), std::move(mesh.is_fixed)};
 }
 
 // A plane that is turned anyhow goes through 1.5 cells an area of one face, in the mean.
 constexpr double cells_by_area = 1.5;
 constexpr double surface_by_shape = 3;  // of a part, by the area of its contour, about
 constexpr double coarser = 2;           // the lattice that the surface is measured on
+constexpr double surplus = 1.005;       // of vertices, as counts are only about right
+constexpr uint32_t max_tries = 4;       // until there are enough
 // Of the radius of the thinnest part: lattice points are so near to each other that none falls between them.
 constexpr double max_spacing = 0.8;
 constexpr uint32_t min_vertices = 100;
@@ -204,7 +240,7 @@ constexpr double gap_cells = 1.5;  // between parts that are kept apart: no edge
 // From how many vertices the coarse lattice gives: the spacing that gives as many as asked for, or what the thinnest
 // part needs.
 double fine_spacing(const PartUnion& parts, double coarse, double counted, const MergeOptions& options) {
-    const double wanted = coarse * std::sqrt(counted / options.vertices);
+    const double wanted = coarse * std::sqrt(counted / (surplus * options.vertices));
     uint32_t thinnest = 0;
     for (uint32_t i = 1; i < parts.parts().size(); ++i)
         if (parts.parts()[i].radius() < parts.parts()[thinnest].radius()) thinnest = i;
@@ -224,11 +260,25 @@ Task<uint32_t> count_vertices(Pace& pace, const PartUnion& parts, double spacing
     co_return std::max(grid.vertex_count(), 1u);
 }
 
-Task<DualSurface> surface_on_lattice(Pace& pace, const PartUnion& parts, double spacing) {
-    SurfaceGrid grid = co_await SurfaceGrid::make(pace, parts, spacing);
-    DualSurface surface = co_await extract_surface(pace, grid);
-    co_await SurfaceGrid::clear(pace, grid);
-    co_return surface;
+// Of at least so many vertices, as a rule: with a smaller spacing where the given one gives fewer.
+Task<DualSurface> surface_on_lattice(Pace& pace, PartUnion& parts, uint32_t vertices, double& spacing) {
+    for (uint32_t tries = 1;; ++tries) {
+        parts.set_gap(gap_cells * spacing);
+        SurfaceGrid grid = co_await SurfaceGrid::make(pace, parts, spacing);
+        if (grid.vertex_count() >= vertices || tries == max_tries) {
+            DualSurface surface = co_await extract_surface(pace, grid);
+            co_await SurfaceGrid::clear(pace, grid);
+            co_return surface;
+        }
+        const double more = std::pow(surplus, tries + 1);
+        spacing *= std::sqrt(std::max(1.0, static_cast<double>(grid.vertex_count())) / (more * vertices));
+        co_await SurfaceGrid::clear(pace, grid);
+    }
+}
+
+Vec3 outwards(const PartUnion::Sample& sample) {
+    const double steep = sample.gradient.norm();
+    return steep > 0 ? Vec3(-sample.gradient / steep) : Vec3(Vec3::UnitZ());
 }
 
 // Where parts are cut off each other, slivers may be left that are no more than a corner of the lattice.
@@ -273,7 +323,7 @@ double expected_spacing(std::span<const PlacedPart> parts, uint32_t vertices) {
     return std::sqrt(cells_by_area * area / vertices);
 }
 
-Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
+Task<EvenMesh> merge_evenly(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
     pace.stage("merge");
     if (placed.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: there are no parts");
     if (options.vertices < min_vertices)
@@ -284,28 +334,90 @@ Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, Mer
     const double coarse = coarser * expected_spacing(placed, options.vertices);
     parts.set_gap(gap_cells * coarse / coarser);
     const uint32_t counted = co_await count_vertices(pace, parts, coarse);
-    const double spacing = fine_spacing(parts, coarse, counted, options);
-    parts.set_gap(gap_cells * spacing);
-    DualSurface surface = co_await surface_on_lattice(pace, parts, spacing);
+    double spacing = fine_spacing(parts, coarse, counted, options);
+    DualSurface surface = co_await surface_on_lattice(pace, parts, options.vertices, spacing);
     const bool some_apart =
         std::any_of(placed.begin(), placed.end(), [](const auto& p) { return !p.apart_from.empty(); });
     if (some_apart) co_await drop_specks(pace, surface);
-    const Buffer<PartUnion::Sample> samples =
-        co_await improve_mesh(pace, parts, spacing, surface.positions, surface.triangles);
-
+    ImprovedMesh improved =
+        co_await improve_mesh(pace, parts, spacing, options.corner_angle, surface.positions, surface.triangles);
     Memory* memory = pace.memory();
     const size_t vertices = surface.positions.size(), triangles = surface.triangles.size();
-    MergedMesh mesh{Buffer<Vec3>(vertices, memory), Buffer<Vec3>(vertices, memory),
-                    Buffer<TriangleVertices>(triangles, memory), Buffer<uint32_t>(vertices, memory), spacing};
+    EvenMesh even{.parts = std::move(parts),
+                  .mesh = {.positions = Buffer<Vec3>(vertices, memory),
+                           .normals = Buffer<Vec3>(vertices, memory),
+                           .triangles = Buffer<TriangleVertices>(triangles, memory),
+                           .parts = Buffer<uint32_t>(vertices, memory),
+                           .triangle_parts = {},
+                           .is_fixed = std::move(improved.is_fixed),
+                           .spacing = spacing,
+                           .even_vertices = static_cast<uint32_t>(vertices)},
+                  .samples = std::move(improved.samples),
+                  .across = std::move(improved.across)};
     co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
-        const Vec3& gradient = samples[v].gradient;
-        const double steep = gradient.norm();
-        std::construct_at(&mesh.positions[v], surface.positions[v]);
-        std::construct_at(&mesh.normals[v], steep > 0 ? Vec3(-gradient / steep) : Vec3(Vec3::UnitZ()));
-        mesh.parts[v] = samples[v].part;
+        std::construct_at(&even.mesh.positions[v], surface.positions[v]);
+        std::construct_at(&even.mesh.normals[v], outwards(even.samples[v]));
+        even.mesh.parts[v] = even.samples[v].part;
     });
-    co_await each(pace, triangles, Cost::some_ns, [&](uint32_t t) { mesh.triangles[t] = surface.triangles[t]; });
+    co_await each(pace, triangles, Cost::some_ns, [&](uint32_t t) { even.mesh.triangles[t] = surface.triangles[t]; });
+    co_return even;
+}
+
+namespace {
+
+// Of a mesh that was cut.
+Task<BoneWeights> carried(Pace& pace, const BoneWeights& weights, std::span<const BorderOrigin> origins) {
+    const size_t inner = weights.weights.size(), all = inner + origins.size();
+    BoneWeights out{Buffer<VertexJoints>(all, pace.memory()), Buffer<VertexWeights>(all, pace.memory())};
+    co_await each(pace, all, Cost::tens_of_ns, [&](uint32_t v) {
+        const bool is_new = v >= inner;
+        const uint32_t first = is_new ? origins[v - inner].vertices[0] : v;
+        out.joints[v] = weights.joints[first];
+        out.weights[v] = weights.weights[first];
+        if (!is_new) return;
+        const auto& [of, shares] = origins[v - inner];
+        mix_weights(out.joints[v], out.weights[v], weights.joints[of[1]], weights.weights[of[1]],
+                    shares[1] / (shares[0] + shares[1]));
+        if (shares[2] > 0)
+            mix_weights(out.joints[v], out.weights[v], weights.joints[of[2]], weights.weights[of[2]], shares[2]);
+    });
+    co_return out;
+}
+
+}  // namespace
+
+Task<MergedMesh> cut_merged(Pace& pace, EvenMesh& even, BoneWeights* weights) {
+    pace.stage("borders");
+    MergedMesh& from = even.mesh;
+    BorderedMesh cut = co_await cut_at_borders(pace, even.parts,
+                                               {.spacing = from.spacing,
+                                                .positions = {from.positions.data(), from.positions.size()},
+                                                .triangles = {from.triangles.data(), from.triangles.size()},
+                                                .across = {even.across.data(), even.across.size()},
+                                                .samples = {even.samples.data(), even.samples.size()},
+                                                .is_fixed = {from.is_fixed.data(), from.is_fixed.size()}});
+    Memory* memory = pace.memory();
+    const size_t inner = from.positions.size(), vertices = cut.positions.size();
+    MergedMesh mesh{.positions = std::move(cut.positions),
+                    .normals = Buffer<Vec3>(vertices, memory),
+                    .triangles = std::move(cut.triangles),
+                    .parts = Buffer<uint32_t>(vertices, memory),
+                    .triangle_parts = std::move(cut.triangle_parts),
+                    .is_fixed = Buffer<uint8_t>(vertices, memory),
+                    .spacing = from.spacing,
+                    .even_vertices = from.even_vertices};
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+        std::construct_at(&mesh.normals[v], outwards(cut.samples[v]));
+        mesh.parts[v] = cut.samples[v].part;
+        mesh.is_fixed[v] = v < inner ? from.is_fixed[v] : uint8_t{0};
+    });
+    if (weights) *weights = co_await carried(pace, *weights, {cut.origins.data(), cut.origins.size()});
     co_return mesh;
+}
+
+Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
+    EvenMesh even = co_await merge_evenly(pace, placed, options);
+    co_return co_await cut_merged(pace, even, nullptr);
 }
 
 }  // namespace flg

@@ -40,6 +40,7 @@ Owned<FlgSkinFileT> make_file(SkinData&& read) {
     const SkinData& data = file->data;
     file->box = box_of(data.positions);
     file->part_count = 1 + *std::max_element(data.parts.begin(), data.parts.end());
+    for (const uint32_t part : data.triangle_parts) file->part_count = std::max(file->part_count, part + 1);
     for (const String& name : data.joint_names) file->joint_names.push_back(name.c_str());
     for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
     for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
@@ -84,6 +85,7 @@ FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view) {
         view.vertex_joints = data.joints.data();
         view.vertex_weights = data.weights.data();
         view.vertex_parts = data.parts.data();
+        if (!data.triangle_parts.empty()) view.triangle_parts = data.triangle_parts.data();
         view.joint_positions = data.joint_positions.data();
         view.joint_parents = data.joint_parents.data();
         view.joint_names = shown.joint_names.data();

@@ -74,6 +74,7 @@ Task<void> carry_over(Pace& pace, const MeshSkinRequest& request, const Repaired
     skin.mesh.normals = Buffer<Vec3>(vertices, memory);
     skin.mesh.triangles = Buffer<TriangleVertices>(triangles, memory);
     skin.mesh.parts = Buffer<uint32_t>(vertices, memory);
+    skin.mesh.triangle_parts = Buffer<uint32_t>(triangles, memory);
     skin.weights = {Buffer<std::array<uint16_t, 4>>(vertices, memory), Buffer<std::array<float, 4>>(vertices, memory)};
     const auto column_of = [&](FlgAttribute attribute) -> const float* {
         for (const FlgColumn& column : request.mesh->columns)
@@ -99,7 +100,10 @@ Task<void> carry_over(Pace& pace, const MeshSkinRequest& request, const Repaired
         skin.mesh.parts[v] = skin.tree.joints[skin.weights.joints[v][0]].part;
     });
     co_await each(pace, triangles, Cost::some_ns, [&](uint32_t t) {
-        for (uint32_t k = 0; k < 3; ++k) skin.mesh.triangles[t][k] = input.triangles[size_t{3} * t + k];
+        TriangleVertices& corners = skin.mesh.triangles[t];
+        for (uint32_t k = 0; k < 3; ++k) corners[k] = input.triangles[size_t{3} * t + k];
+        const Buffer<uint32_t>& parts = skin.mesh.parts;
+        skin.mesh.triangle_parts[t] = parts[corners[1]] == parts[corners[2]] ? parts[corners[1]] : parts[corners[0]];
     });
 }
 

@@ -114,6 +114,63 @@ TEST(Skin, IsOneClosedSurfaceBoundToItsJoints) {
     }
 }
 
+TEST(Skin, HasAsManyVerticesAsAskedFor) {
+    const SkinHost host;
+    for (const uint32_t vertices : {500u, 1000u, 7000u}) EXPECT_EQ(host.skin(vertices).vertex_count, vertices);
+}
+
+// Texture coordinates of triangles of a part are where its picture has them, an image's mirrored.
+TEST(Skin, ShowsPicturesOfItsParts) {
+    const SkinHost host;
+    FlgModelPart parts[2] = {flgModelPartDefaults(), flgModelPartDefaults()};
+    parts[0].part = host.part(ellipse(0, 0, 1, 2));
+    parts[1].part = host.part(ellipse(1.6, 0.8, 1.2, 0.35));
+    parts[1].mirrored = 1;
+    for (FlgModelPart& part : parts) {
+        const double box[] = {-4, -3, 4, 5};
+        std::copy(std::begin(box), std::end(box), part.picture);
+    }
+    FlgModelDesc model_desc = flgModelDefaults();
+    model_desc.parts = parts;
+    model_desc.part_count = 2;
+    FlgSkinDesc desc = flgSkinDefaults();
+    ASSERT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK) << flgErrorGetMessage();
+    desc.vertex_count = 2000;
+    FlgSkin skin{}, level{};
+    ASSERT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
+    FlgSkinSimplifyDesc simplify = flgSkinSimplifyDefaults();
+    simplify.skin = skin;
+    simplify.vertex_count = 400;
+    ASSERT_EQ(flgSkinSimplify(host.context, &simplify, &level, nullptr), FLG_OK) << flgErrorGetMessage();
+    host.finish();
+    for (const FlgSkin& made : {skin, level}) {
+        FlgSkinView view = flgSkinViewDefaults();
+        ASSERT_EQ(flgSkinGetView(host.context, made, &view), FLG_OK) << flgErrorGetMessage();
+        EXPECT_EQ(view.vertex_count, made.id == skin.id ? 2000u : 400u);
+        expect_closed(view.triangles, view.triangle_count);
+        ASSERT_NE(view.corner_uvs, nullptr);
+        uint32_t of_part[3] = {};
+        for (size_t c = 0; c < size_t{3} * view.triangle_count; ++c) {
+            const uint32_t part = view.triangle_parts[c / 3];
+            ASSERT_LT(part, 3u);
+            ++of_part[part];
+            const float* p = view.positions + size_t{3} * view.triangles[c];
+            EXPECT_NEAR(view.corner_uvs[2 * c], ((part == 2 ? -1 : 1) * p[0] + 4) / 8, 1e-5f);
+            EXPECT_NEAR(view.corner_uvs[2 * c + 1], (5 - p[1]) / 8, 1e-5f);
+        }
+        for (const uint32_t corners : of_part) EXPECT_GT(corners, 30u);
+    }
+    parts[1].picture[2] = -5;
+    EXPECT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgErrorGetMessage()).find("desc.parts[1].picture is -4 to -5"), std::string::npos)
+        << flgErrorGetMessage();
+    simplify.vertex_count = 3;
+    EXPECT_EQ(flgSkinSimplify(host.context, &simplify, &level, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    simplify.vertex_count = 100;
+    simplify.skin = {};
+    EXPECT_EQ(flgSkinSimplify(host.context, &simplify, &level, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+}
+
 TEST(Skin, IsTheSameUnderWorkers) {
     std::vector<float> positions, weights;
     for (const uint32_t workers : {0u, 2u}) {
@@ -209,6 +266,7 @@ TEST(Skin, RefusesNumbersOutOfTheirRange) {
     refused([](FlgSkinDesc& d) { d.vertex_count = 10; }, "desc.vertex_count is 10");
     refused([](FlgSkinDesc& d) { d.max_vertices = 5; }, "desc.max_vertices is 5");
     refused([](FlgSkinDesc& d) { d.blend = NAN; }, "desc.blend is nan");
+    refused([](FlgSkinDesc& d) { d.corner_angle = 4; }, "desc.corner_angle is 4");
     refused([](FlgSkinDesc& d) { d.model = {}; }, "desc.model is null");
     FlgPartMeshDesc desc = flgPartMeshDefaults();
     desc.part = host.part(ellipse(0, 0, 1, 1));

@@ -113,6 +113,11 @@ void make_models(Calls& calls) {
     desc.vertex_count = 100;
     FlgSkin skin{};
     FLG_CALL(calls, flgSkinCreate, calls.context, &desc, calls.out(skin), calls.job());
+    FlgSkinSimplifyDesc simpler = FLG_INIT(calls, flgSkinSimplifyDescInit);
+    simpler.skin = skin;
+    simpler.vertex_count = 50;
+    FlgSkin level{};
+    FLG_CALL(calls, flgSkinSimplify, calls.context, &simpler, calls.out(level), calls.job());
     FlgBufferOutput output = output_to_buffers(calls, {{FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32},
                                                        {FLG_ATTRIBUTE_JOINTS, FLG_NUMBER_FORMAT_UINT8},
                                                        {FLG_ATTRIBUTE_WEIGHTS, FLG_NUMBER_FORMAT_UNORM8}});
@@ -138,6 +143,9 @@ void make_models(Calls& calls) {
     FLG_CALL(calls, flgSkinGetView, calls.context, skin, &view);
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
     calls.note(view.vertex_weights, size_t{4} * view.vertex_count * sizeof(float));
+    FLG_CALL(calls, flgSkinGetView, calls.context, level, &view);
+    calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
+    FLG_CALL(calls, flgSkinRelease, calls.context, level);
     FLG_DRAW(calls, flgDebugDrawPart, body.part);
     FLG_DRAW(calls, flgDebugDrawPartMesh, mesh);
     FLG_DRAW(calls, flgDebugDrawModel, desc.model);

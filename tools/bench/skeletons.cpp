@@ -9,6 +9,7 @@
 #if defined(FLG_WITH_CGAL)
 #include "bench/cgal_skeleton.h"
 #endif
+#include "bench/outlines.h"
 #include "bench/pool.h"
 #include "core/random.h"
 #include "runtime/run_now.h"
@@ -18,8 +19,6 @@ namespace flg::bench {
 namespace {
 
 constexpr int kSkeletonRuns = 15, kChunkRounds = 4;
-
-using Ring = std::vector<Point2>;
 
 // Within one job.
 Task<void> time_skeletons(Pace& pace, const std::vector<Contour>& contours, double& ms) {
@@ -139,17 +138,22 @@ double max_slice_us(const Ring& ring) {
 }
 
 #if defined(FLG_WITH_CGAL)
-// How many times as long CGAL takes: the least ratio of a star, a smooth shape and a part of the animal.
-Row beside_cgal(uint32_t points, double bar) {
+// How many times as long CGAL takes: the least ratio of all outlines of a class.
+Row beside_cgal(const OutlineClass& outlines, double bar) {
     double least = HUGE_VAL;
-    for (const Ring& ring : {star(points), part(1, points), part(6, points)}) {
+    size_t least_points = 0;
+    for (const Ring& ring : outlines.rings) {
         const double own = skeleton_ms({ring});
-        const double peer = median_ms(points < 100 ? 7 : 1, [&] {
+        const double peer = median_ms(ring.size() < 100 ? 7 : 1, [&] {
             return time_ms([&] { cgal_skeleton(&ring.data()->x, static_cast<uint32_t>(ring.size())); });
         });
-        least = std::min(least, peer / own);
+        if (peer / own >= least) continue;
+        least = peer / own;
+        least_points = ring.size();
     }
-    return at_least("straight skeletons: beside CGAL, " + std::to_string(points) + " points", least, "x", bar);
+    return at_least(std::string("straight skeletons: beside CGAL, ") + outlines.name, least, "x", bar,
+                    "the least of " + std::to_string(outlines.rings.size()) + " outlines, of " +
+                        std::to_string(least_points) + " points");
 }
 #endif
 
@@ -172,11 +176,9 @@ std::vector<Row> run_skeletons() {
         below("straight skeleton: regular polygon of 200,000", skeleton_ms({regular(200'000)}, 3), "ms", 3000),
         below("straight skeleton: longest chunk of a star of 100,000", max_slice_us(star(100'000)), "us", 100)};
 #if defined(FLG_WITH_CGAL)
-    rows.push_back(beside_cgal(12, 10));
-    rows.push_back(beside_cgal(60, 20));
-    rows.push_back(beside_cgal(300, 40));
-    rows.push_back(beside_cgal(1000, 100));
-    rows.push_back(beside_cgal(3000, 300));
+    constexpr double bars[] = {10, 20, 40, 100};
+    const std::vector<OutlineClass> classes = outline_classes();
+    for (size_t i = 0; i < classes.size(); ++i) rows.push_back(beside_cgal(classes[i], bars[i]));
 #endif
     return rows;
 }

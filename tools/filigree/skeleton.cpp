@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 
 #include "choices.h"
 #include "command.h"
@@ -10,6 +11,7 @@
 #include "documents/failure.h"
 #include "documents/rig_quality.h"
 #include "documents/text_file.h"
+#include "drawn_picture.h"
 #include "filigree/filigree_io.h"
 #include "mesh_model.h"
 #include "mesh_outline_part.h"
@@ -28,6 +30,9 @@ struct Options {
     std::string root;
     std::vector<std::string> apart, depths;
     uint32_t vertices = flgSkinDefaults().vertex_count;
+    std::vector<uint32_t> levels;
+    double sharp_degrees = 0;
+    PictureOptions picture;
     bool repair = false;
     std::array<float, 3> from = {0, 0, 1};
     RigOptions rig;
@@ -121,23 +126,66 @@ Json bones_json(const FlgModelView& view, const FlgRig* rig) {
     return {{"size", view.size}, {"joints", std::move(joints)}, {"parts", std::move(parts)}};
 }
 
-FlgSkinView make_skin(const Options& options, Session& session, FlgModel model, Report& report) {
+constexpr double kOffCount = 0.02;  // of the vertices asked for: what is said when it is more
+
+FlgSkinView view_of(Session& session, FlgSkin skin, uint32_t wanted, const Options& options, Report& report) {
+    FlgSkinView view = flgSkinViewDefaults();
+    check(flgSkinGetView(session.context(), skin, &view), options.output);
+    if (std::abs(static_cast<double>(view.vertex_count) / wanted - 1) > kOffCount)
+        report.warn(options.output + ": a surface has " + std::to_string(view.vertex_count) + " vertices in place of " +
+                    std::to_string(wanted) + ": its thin parts, borders, corners, holes and pieces need them");
+    return view;
+}
+
+FlgSkin make_skin(const Options& options, Session& session, FlgModel model, Report& report) {
+    constexpr double kDegree = 3.14159265358979323846 / 180;
     FlgSkinDesc desc = flgSkinDefaults();
     desc.model = model;
     desc.vertex_count = options.vertices;
+    desc.corner_angle = static_cast<float>(options.sharp_degrees * kDegree);
     FlgSkin skin = {};
     FlgJob job = {};
     check(flgSkinCreate(session.context(), &desc, &skin, &job), options.output);
     session.finish({{{job, options.output}}}, report);
-    FlgSkinView view = flgSkinViewDefaults();
-    check(flgSkinGetView(session.context(), skin, &view), options.output);
-    return view;
+    return skin;
+}
+
+// All of the skin itself: so no level hands on what another lost.
+std::vector<FlgSkinView> make_levels(const Options& options, Session& session, FlgSkin skin, Report& report) {
+    std::vector<Session::Pending> jobs;
+    std::vector<FlgSkin> levels;
+    for (const uint32_t vertices : options.levels) {
+        FlgSkinSimplifyDesc desc = flgSkinSimplifyDefaults();
+        desc.skin = skin;
+        desc.vertex_count = vertices;
+        FlgJob job = {};
+        check(flgSkinSimplify(session.context(), &desc, &levels.emplace_back(), &job), options.output);
+        jobs.push_back({job, options.output});
+    }
+    if (!jobs.empty()) session.finish(jobs, report);
+    std::vector<FlgSkinView> views;
+    for (size_t i = 0; i < levels.size(); ++i)
+        views.push_back(view_of(session, levels[i], options.levels[i], options, report));
+    return views;
+}
+
+// A model with what its file has besides.
+struct Made {
+    FlgSkinView skin;
+    std::vector<FlgSkinView> levels;
+};
+
+Made make_drawn_skin(const Options& options, Session& session, FlgModel model, Report& report) {
+    const FlgSkin skin = make_skin(options, session, model, report);
+    return {view_of(session, skin, options.vertices, options, report), make_levels(options, session, skin, report)};
 }
 
 void write_skin(const Options& options, const std::string& subject, const ModelDrawing& drawing,
-                const FlgModelView& bones, const FlgSkinView& view, bool is_reported, Report& report) {
+                const FlgModelView& bones, const Made& made, bool is_reported, Report& report) {
+    const FlgSkinView& view = made.skin;
     report.counts["vertices"] = view.vertex_count;
     report.counts["triangles"] = view.triangle_count;
+    for (const FlgSkinView& level : made.levels) report.counts["level_vertices"].push_back(level.vertex_count);
     if (is_reported) {
         const RigQuality rig = measure_rig(view);
         report.quality["largest_stretch"] = rig.largest_stretch;
@@ -145,6 +193,12 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
         report.quality["largest_weight_jump"] = rig.largest_jump;
     }
     const RiggedSkin rigged(options.rig, view, bones, drawing, subject);
+    RigOptions at_rest = options.rig;
+    at_rest.motions.clear();
+    std::deque<RiggedSkin> rigged_levels;
+    std::vector<FlgSkinView> level_views;
+    for (const FlgSkinView& level : made.levels)
+        level_views.push_back(rigged_levels.emplace_back(at_rest, level, bones, drawing, subject).skin());
     const std::vector<FlgSkinAnimation> animations = rigged.animations();
     FlgVrm vrm = flgVrmDefaults();
     std::vector<const char*> authors;
@@ -152,11 +206,15 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
     vrm.authors = authors.data();
     vrm.author_count = static_cast<uint32_t>(authors.size());
     vrm.bones = rigged.bones().data();
+    std::vector<uint8_t> texture;
+    if (!options.picture.file.empty()) texture = bled_picture(options.picture, drawing);
     std::vector<FlgMeshMaterial> materials;
     for (uint32_t p = 0; p < bones.part_count && drawing.has_colors; ++p) {
         const DrawnPart& part = drawing.parts[bones.part_sources[p]];
         materials.push_back(part.material);
         materials.back().name = part.name.c_str();
+        // The picture says the colours.
+        if (!texture.empty()) std::fill_n(materials.back().color, 3, 1.0f);
     }
     FlgSkinFileWriteDesc file = {};
     flgSkinFileWriteDescInit(&file, sizeof file);
@@ -167,6 +225,10 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
     if (!authors.empty()) file.vrm = &vrm;
     file.materials = materials.data();
     file.material_count = static_cast<uint32_t>(materials.size());
+    file.levels = level_views.data();
+    file.level_count = static_cast<uint32_t>(level_views.size());
+    if (!texture.empty()) file.texture = texture.data();
+    file.texture_size = texture.size();
     if (flgSkinFileWrite(options.output.c_str(), &file) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
@@ -180,7 +242,7 @@ void write_bones(const Options& options, const std::string& subject, const Model
     write_text_file(options.bones, bones_json(view, rig ? &rig->rig() : nullptr).dump(1) + "\n");
 }
 
-void run_skeleton(const Options& options, const CommonOptions& common) {
+void run_skeleton(Options options, const CommonOptions& common) {
     const bool is_vrm = options.rig.standard == FLG_RIG_STANDARD_VRM;
     if (!options.rig.authors.empty() && !is_vrm) throw UsageError("--author: is asked for by --rig vrm alone");
     if (options.output.empty() && options.bones.empty()) throw UsageError("skeleton needs -o or --bones");
@@ -188,6 +250,12 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
         throw UsageError("skeleton needs contours, or a mesh by --mesh, and not both");
     if (!options.output.empty() && !ends_with_one_of(options.output, {".glb"}))
         throw UsageError("-o: " + options.output + " must end with .glb");
+    for (size_t i = 0; i < options.levels.size(); ++i)
+        if (options.levels[i] >= (i == 0 ? options.vertices : options.levels[i - 1]))
+            throw UsageError("--lod: " + std::to_string(options.levels[i]) + " is no fewer than the level before has");
+    const std::vector<double>& box = options.picture.box;
+    if (!box.empty() && !(box[0] < box[2] && box[1] < box[3]))
+        throw UsageError("--texture-box: must be LEFT,BOTTOM,RIGHT,TOP");
     require_writable(options.output);
     require_writable(options.bones);
     require_writable(common.report);
@@ -195,22 +263,28 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
     Session session(common);
     const bool is_reported = !common.report.empty();
     if (!options.mesh.empty()) {
+        if (!options.levels.empty() || options.sharp_degrees > 0 || !options.picture.file.empty())
+            throw UsageError("--lod, --sharp, --texture: are of drawn models; --mesh keeps the mesh as it is");
         FlgBoneThresholds thresholds;
         flgBoneThresholdsInit(&thresholds, sizeof thresholds);
         set_thresholds(options, thresholds);
         const MeshModel model(session, options.mesh, thresholds, report);
         write_bones(options, options.mesh, model.drawing(), model.bones(), report);
         if (!options.output.empty())
-            write_skin(options, options.mesh, model.drawing(), model.bones(), model.skin(), is_reported, report);
+            write_skin(options, options.mesh, model.drawing(), model.bones(), {model.skin(), {}}, is_reported, report);
     } else {
         const std::string& subject = options.contours[0];
-        const ModelDrawing drawing = read_drawing(options, session, report);
+        ModelDrawing drawing = read_drawing(options, session, report);
+        if (options.picture.file.empty()) options.picture.file = drawing.texture;
+        if (options.picture.box.empty() && ends_with_one_of(subject, {".svg", ".SVG"}))
+            options.picture.box = page_of_svg(subject);
+        if (!options.picture.file.empty()) place_picture(options.picture, drawing);
         const FlgModel model = make_drawn_model(session, drawing, subject, report);
         FlgModelView view = flgModelViewDefaults();
         check(flgModelGetView(session.context(), model, &view), subject);
         write_bones(options, subject, drawing, view, report);
         if (!options.output.empty())
-            write_skin(options, subject, drawing, view, make_skin(options, session, model, report), is_reported,
+            write_skin(options, subject, drawing, view, make_drawn_skin(options, session, model, report), is_reported,
                        report);
     }
     report.write();
@@ -230,9 +304,31 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
         ->type_name("MESH");
     command->add_option("-o,--output", options->output, "The model: surface, joints, weights and a test animation")
         ->type_name("MODEL.glb");
-    command->add_option("--vertices", options->vertices, "Approximate vertex count of the surface")
+    command->add_option("--vertices", options->vertices, "Vertex count of the surface, within 2 %")
         ->check(CLI::Range(100u, 200000u))
         ->capture_default_str();
+    command
+        ->add_option("--lod", options->levels,
+                     "Levels of detail after it, by their vertex counts: meshes of the same bones in the file, linked "
+                     "by MSFT_lod")
+        ->delimiter(',')
+        ->check(CLI::Range(4u, 200000u))
+        ->expected(1, 16)
+        ->type_name("N,...");
+    command
+        ->add_flag("--sharp{40}", options->sharp_degrees,
+                   "Corners of outlines that turn by more than 40 degrees, or --sharp=DEGREES, stay corners")
+        ->check(CLI::Range(1.0, 180.0));
+    command
+        ->add_option(
+            "--texture", options->picture.file,
+            "The picture that was drawn over, PNG or JPEG: it colours front and back, in place of colours of "
+            "parts. It fills the page of an SVG, else the box of all outlines, as parts are placed but lying flat")
+        ->type_name("PICTURE");
+    command->add_option("--texture-box", options->picture.box, "Where the picture lies instead, in the drawing's units")
+        ->delimiter(',')
+        ->expected(4)
+        ->type_name("LEFT,BOTTOM,RIGHT,TOP");
     command->add_flag("--repair", options->repair, "Contours may cross themselves: the largest piece within is taken");
     command
         ->add_option("--from", options->from, "From where meshes are looked at, for their silhouettes; default 0,0,1")

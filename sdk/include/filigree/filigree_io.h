@@ -391,19 +391,29 @@ typedef struct FlgSkinFileWriteDesc {
     uint32_t material_count;            /* 0: one without colour; 1: one for all; else above all part indices.
                                            Default 0 */
     uint32_t reserved;
-    const FlgMeshMaterial* materials;   /* by part. A triangle belongs to the part of two of its corners, else of its
-                                           first corner */
+    const FlgMeshMaterial* materials;   /* by part. Without triangle_parts a triangle belongs to the part of two of its
+                                           corners, else of its first corner */
     const FlgFileHooks* hooks; /* null: all defaults. Default null */
     const FlgRig* rig;         /* of the skin's joints: written as `extras` of their nodes, see docs/rigs.md. Default
                                   null */
     const FlgVrm* vrm;         /* makes the file a VRM 1.0 avatar. Default null */
+    const uint8_t* texture;    /* a PNG or JPEG file, texture_size bytes: the colour of all materials, times theirs; the
+                                  skin needs corner_uvs. Default null */
+    uint64_t texture_size;
+    const FlgSkinView* levels; /* levels of detail after the skin itself, from fine to coarse, with its joints:
+                                  flgSkinSimplify. Default null */
+    uint32_t level_count;      /* up to 16. Default 0 */
+    uint32_t reserved2;
 } FlgSkinFileWriteDesc;
 
 FLG_API FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size);
 
 /* Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the mesh, a
  * node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have POSITION, NORMAL,
- * JOINTS_0 (16 bits), WEIGHTS_0 (float) and _PART. Rotations that stay at identity are omitted. Refuses what glTF
+ * JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART and, with corner_uvs, TEXCOORD_0; vertices whose corners differ in them
+ * are there several times. Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1, ...; the first is
+ * in the scene and refers to the others by MSFT_lod, so programs that do not know it show the finest alone. Rotations
+ * that stay at identity are omitted. Refuses what glTF
  * forbids: joints out of range or twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are
  * not of length 1 within 0.001, times that do not rise, values that are not finite, parents that do not come first.
  * Cost: about 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension,

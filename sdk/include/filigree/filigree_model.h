@@ -209,6 +209,10 @@ typedef struct FlgModelPart {
     float depth;
     const char* parent_joint;            /* key of the parent's joint that it attaches to; null, or not there: the
                                             nearest place. Default null */
+    /* The rectangle of its drawing that a picture covers: left, bottom, right, top, units of the contour. It gives the
+     * skin texture coordinates: the part is projected along the plane of its drawing, front and back alike, and a
+     * mirror image shows the mirrored picture. Right above left and top above bottom, or all 0: none. Default 0 */
+    double picture[4];
 } FlgModelPart;
 
 /* What a host or its user sets about a joint. */
@@ -336,17 +340,27 @@ typedef struct FlgSkinView {
     const float* joint_radii;       /* one per joint: radius of the shape around it, metres; null in input: not known */
     float mirror[4];                /* a x + b y + c z = d: the plane of its mirror image, whose normal points to its
                                        left; 0: none. Ignored in input */
+    const uint32_t* triangle_parts; /* one per triangle: the part it lies on. These meet at edges that follow the parts'
+                                       border. Null in input: that of two corners, else of the first */
+    const float* corner_uvs;        /* 6 per triangle: u, v of its corners, 0 0 at the picture's upper left, 1 1 at its
+                                       lower right; parts without a picture: 0. Corners of a vertex differ only where
+                                       parts with different projections meet. Null: no part has a picture */
 } FlgSkinView;
 
 typedef struct FlgSkinDesc {
     uint32_t struct_size;
-    uint32_t vertex_count;      /* approximate count, within 15 %, if no part is too thin: 100 to max_vertices, default
+    uint32_t vertex_count;      /* within 2 %, or more if a part is too thin for so few: 100 to max_vertices, default
                                    10000 */
     const FlgJobOptions* job;
     FlgModel model;
-    uint32_t max_vertices;      /* upper limit where thin parts need more: 100 to 4194304, default 200000 */
+    uint32_t max_vertices;      /* upper limit where thin parts need more, without borders between parts: 100 to
+                                   4194304, default 200000 */
     float blend;                /* rounds edges where parts cross over this length: metres, up to 1e30; below 0:
                                    automatic, 0.15 of the smaller part's radius; 0: none. Default -1 */
+    float corner_angle;         /* corners of contours that turn by more than this, within 1.5 edges of the surface,
+                                   stay corners: radians, 0 to pi; 0: all are rounded to about an edge's length.
+                                   Default 0 */
+    uint32_t reserved;
 } FlgSkinDesc;
 
 FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
@@ -354,7 +368,7 @@ FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
 /* Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds it to the
  * joints: weights are smooth, 0 to 1, at most 4 per vertex. Limbs that cross other parts pass in front or behind
  * (FlgModelPart::depth). Parts that meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more
- * than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost: 15 us a vertex. */
+ * than max_vertices, or if a part lies further from the origin than 1e7 sides of a triangle. Cost: 20 us a vertex. */
 FLG_API FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
 typedef struct FlgSkinFromMeshDesc {
@@ -389,6 +403,23 @@ FLG_API FlgResult flgSkinCreateFromMesh(FlgContext context, const FlgSkinFromMes
 FLG_API FlgResult flgSkinGetView(FlgContext context, FlgSkin skin, FlgSkinView* out_view);
 
 FLG_API FlgResult flgSkinRelease(FlgContext context, FlgSkin skin);
+
+typedef struct FlgSkinSimplifyDesc {
+    uint32_t struct_size;
+    uint32_t vertex_count; /* at least 4. No default */
+    const FlgJobOptions* job;
+    FlgSkin skin;
+} FlgSkinSimplifyDesc;
+
+FLG_API FlgResult flgSkinSimplifyDescInit(FlgSkinSimplifyDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes a level of detail: the same surface, parts and joints with fewer vertices. Edges are
+ * collapsed, those first that change the shape least; where weights change more stay. Borders of parts and sharp
+ * corners stay where they are, pieces and holes remain, and a vertex has the weights of its place on the surface. So
+ * few vertices may not be reachable: then the result has the fewest that are. With as many as the skin has, or more,
+ * it is a copy. Cost: about 2 us a vertex of the skin and 20 us for each that goes. */
+FLG_API FlgResult flgSkinSimplify(FlgContext context, const FlgSkinSimplifyDesc* desc, FlgSkin* out_skin,
+                                  FlgJob* out_job);
 
 /* A motion of a skin's joints. */
 typedef struct FlgSkinAnimation {
@@ -509,6 +540,12 @@ static inline FlgSkinDesc flgSkinDefaults(void) {
 static inline FlgSkinFromMeshDesc flgSkinFromMeshDefaults(void) {
     FlgSkinFromMeshDesc desc;
     flgSkinFromMeshDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSkinSimplifyDesc flgSkinSimplifyDefaults(void) {
+    FlgSkinSimplifyDesc desc;
+    flgSkinSimplifyDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

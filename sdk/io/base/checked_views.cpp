@@ -257,6 +257,7 @@ constexpr double length_tolerance = 1e-3;
 constexpr double sum_tolerance = 1e-4;
 constexpr size_t max_name = 255;
 constexpr uint32_t max_parts = 1u << 24;  // floats tell them apart
+constexpr uint32_t max_levels = 16;
 
 String at(const String& array, size_t index) {
     return array + "[" + to_text(index) + "]";
@@ -290,19 +291,22 @@ constexpr const char* vrm_bones_needed[] = {"hips",          "spine",         "h
 
 CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
     desc_ = read_given(desc, "desc");
-    skin_ = read_given(desc_.skin, "desc.skin");
-    check_origin(skin_.origin, "desc.skin.origin");
+    meshes_.push_back(read_given(desc_.skin, "desc.skin"));
+    check_origin(skin().origin, "desc.skin.origin");
     check_name(desc_.name, "desc.name");
     check_joints();
-    check_vertices();
-    check_triangles();
+    check_mesh(skin(), "desc.skin");
+    check_levels();
+    check_texture();
     if (desc_.animation_count != 0) check_argument(desc_.animations, "desc.animations");
     for (uint32_t i = 0; i < desc_.animation_count; ++i) {
         const String place = at("desc.animations", i);
         animations_.push_back(read_element<Longer::cut>(desc_.animations, i, sized<FlgSkinAnimation>(), place.c_str()));
         check_animation(animations_.back(), place);
     }
-    check_materials();
+    materials_ = read_materials(desc_.materials, desc_.material_count);
+    check_labels(skin(), "desc.skin");
+    for (uint32_t i = 0; i < desc_.level_count; ++i) check_labels(meshes_[i + 1], at("desc.levels", i));
     if (desc_.rig) check_rig();
     if (desc_.vrm) check_vrm();
 }
@@ -355,74 +359,140 @@ void CheckedSkin::check_vrm() {
 }
 
 void CheckedSkin::check_joints() const {
-    if (skin_.joint_count == 0 || skin_.joint_count > max_joints) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.joint_count", "is %u, must be 1 to %u", skin_.joint_count,
+    if (skin().joint_count == 0 || skin().joint_count > max_joints) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.joint_count", "is %u, must be 1 to %u", skin().joint_count,
              max_joints);
     }
-    check_floats(skin_.joint_positions, 3 * joint_count(), "desc.skin.joint_positions");
-    check_argument(skin_.joint_parents, "desc.skin.joint_parents");
-    for (uint32_t j = 0; j < skin_.joint_count; ++j) {
-        const uint32_t parent = skin_.joint_parents[j];
+    check_floats(skin().joint_positions, 3 * joint_count(), "desc.skin.joint_positions");
+    check_argument(skin().joint_parents, "desc.skin.joint_parents");
+    for (uint32_t j = 0; j < skin().joint_count; ++j) {
+        const uint32_t parent = skin().joint_parents[j];
         if (parent != FLG_NO_INDEX && parent >= j) {
             fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.joint_parents", j),
                  "is %u, must be lower than the joint, or FLG_NO_INDEX", parent);
         }
-        if (!skin_.joint_names) continue;
-        check_argument(skin_.joint_names[j], at("desc.skin.joint_names", j).c_str());
-        check_name(skin_.joint_names[j], at("desc.skin.joint_names", j));
+        if (!skin().joint_names) continue;
+        check_argument(skin().joint_names[j], at("desc.skin.joint_names", j).c_str());
+        check_name(skin().joint_names[j], at("desc.skin.joint_names", j));
     }
 }
 
-void CheckedSkin::check_vertices() const {
-    if (skin_.vertex_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.vertex_count", "is 0, must be at least 1");
-    check_floats(skin_.positions, 3 * vertex_count(), "desc.skin.positions");
-    check_floats(skin_.normals, 3 * vertex_count(), "desc.skin.normals");
-    check_argument(skin_.vertex_joints, "desc.skin.vertex_joints");
-    check_argument(skin_.vertex_weights, "desc.skin.vertex_weights");
-    for (size_t v = 0; v < vertex_count(); ++v) {
-        check_binding(v);
-        if (part(v) < max_parts) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_parts", v), "is %u, must be below %u", part(v),
-             max_parts);
+void CheckedSkin::check_mesh(const FlgSkinView& mesh, const String& place) const {
+    if (mesh.vertex_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, place + ".vertex_count", "is 0, must be at least 1");
+    const size_t vertices = mesh.vertex_count, triangles = mesh.triangle_count;
+    check_floats(mesh.positions, 3 * vertices, place + ".positions");
+    check_floats(mesh.normals, 3 * vertices, place + ".normals");
+    check_argument(mesh.vertex_joints, (place + ".vertex_joints").c_str());
+    check_argument(mesh.vertex_weights, (place + ".vertex_weights").c_str());
+    for (size_t v = 0; v < vertices; ++v) {
+        check_binding(mesh, place, v);
+        if (part_of_vertex(mesh, v) < max_parts) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_parts", v), "is %u, must be below %u",
+             part_of_vertex(mesh, v), max_parts);
+    }
+    check_triangles(mesh, place);
+    if (mesh.corner_uvs) check_floats(mesh.corner_uvs, 6 * triangles, place + ".corner_uvs");
+    for (size_t t = 0; mesh.triangle_parts && t < triangles; ++t) {
+        if (mesh.triangle_parts[t] < max_parts) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".triangle_parts", t), "is %u, must be below %u",
+             mesh.triangle_parts[t], max_parts);
     }
 }
 
-void CheckedSkin::check_binding(size_t vertex) const {
-    const uint16_t* joints = skin_.vertex_joints + joints_a_vertex * vertex;
-    const float* weights = skin_.vertex_weights + joints_a_vertex * vertex;
+void CheckedSkin::check_binding(const FlgSkinView& mesh, const String& place, size_t vertex) const {
+    const uint16_t* joints = mesh.vertex_joints + joints_a_vertex * vertex;
+    const float* weights = mesh.vertex_weights + joints_a_vertex * vertex;
     double sum = 0;
     for (size_t k = 0; k < joints_a_vertex; ++k) {
         const size_t i = joints_a_vertex * vertex + k;
-        if (joints[k] >= skin_.joint_count) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_joints", i), "is %u, but there are %u joints",
-                 joints[k], skin_.joint_count);
+        if (joints[k] >= joint_count()) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_joints", i), "is %u, but there are %zu joints",
+                 joints[k], joint_count());
         }
         if (!(weights[k] >= 0 && weights[k] <= 1 + sum_tolerance)) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_weights", i), "is %g, must be 0 to 1",
+            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_weights", i), "is %g, must be 0 to 1",
                  double{weights[k]});
         }
         for (size_t other = 0; weights[k] > 0 && other < k; ++other) {
             if (joints[other] != joints[k] || weights[other] == 0) continue;
-            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_joints", i), "is %u, which vertex %zu has already",
+            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_joints", i), "is %u, which vertex %zu has already",
                  joints[k], vertex);
         }
         sum += weights[k];
     }
     if (std::abs(sum - 1) <= sum_tolerance) return;
-    fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_weights", joints_a_vertex * vertex),
+    fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_weights", joints_a_vertex * vertex),
          "and the next three sum up to %g, must be 1", sum);
 }
 
-void CheckedSkin::check_triangles() const {
-    if (skin_.triangle_count == 0) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.triangle_count", "is 0: there is nothing to write");
+void CheckedSkin::check_triangles(const FlgSkinView& mesh, const String& place) const {
+    if (mesh.triangle_count == 0)
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + ".triangle_count", "is 0: there is nothing to write");
+    check_argument(mesh.triangles, (place + ".triangles").c_str());
+    for (size_t i = 0; i < 3 * size_t{mesh.triangle_count}; ++i) {
+        if (mesh.triangles[i] < mesh.vertex_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".triangles", i), "is %u, but there are %u vertices",
+             mesh.triangles[i], mesh.vertex_count);
     }
-    check_argument(skin_.triangles, "desc.skin.triangles");
-    for (size_t i = 0; i < 3 * size_t{skin_.triangle_count}; ++i) {
-        if (skin_.triangles[i] < skin_.vertex_count) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.triangles", i), "is %u, but there are %u vertices",
-             skin_.triangles[i], skin_.vertex_count);
+}
+
+void CheckedSkin::check_levels() {
+    if (desc_.level_count > max_levels)
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.level_count", "is %u, must be at most %u", desc_.level_count,
+             max_levels);
+    if (desc_.level_count != 0) check_argument(desc_.levels, "desc.levels");
+    for (uint32_t i = 0; i < desc_.level_count; ++i) {
+        const String place = at("desc.levels", i);
+        meshes_.push_back(read_element<Longer::cut>(desc_.levels, i, sized<FlgSkinView>(), place.c_str()));
+        if (meshes_.back().joint_count != joint_count())
+            fail(FLG_ERROR_INVALID_ARGUMENT, place + ".joint_count", "is %u, but the skin has %zu joints",
+                 meshes_.back().joint_count, joint_count());
+        check_mesh(meshes_.back(), place);
     }
+}
+
+bool CheckedSkin::has_png() const {
+    constexpr uint8_t png[] = {0x89, 'P', 'N', 'G'};
+    return texture().size() > sizeof png && std::equal(std::begin(png), std::end(png), texture().begin());
+}
+
+void CheckedSkin::check_texture() const {
+    if (!desc_.texture) {
+        if (desc_.texture_size != 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is null, but has a size");
+        return;
+    }
+    constexpr uint8_t jpeg[] = {0xff, 0xd8, 0xff};
+    const bool is_jpeg =
+        texture().size() > sizeof jpeg && std::equal(std::begin(jpeg), std::end(jpeg), texture().begin());
+    if (!has_png() && !is_jpeg) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is neither a PNG nor a JPEG file");
+    for (const FlgSkinView& mesh : meshes_)
+        if (!mesh.corner_uvs) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "needs the corner_uvs of all meshes");
+}
+
+// Parts that have no material.
+void CheckedSkin::check_labels(const FlgSkinView& mesh, const String& place) const {
+    if (desc_.material_count <= 1) return;
+    for (size_t v = 0; v < mesh.vertex_count; ++v) {
+        if (part_of_vertex(mesh, v) < desc_.material_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_parts", v), "is %u, but there are %u materials",
+             part_of_vertex(mesh, v), desc_.material_count);
+    }
+    for (size_t t = 0; t < mesh.triangle_count; ++t) {
+        if (part_of_triangle(mesh, t) < desc_.material_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".triangle_parts", t), "is %u, but there are %u materials",
+             part_of_triangle(mesh, t), desc_.material_count);
+    }
+}
+
+uint32_t part_of_vertex(const FlgSkinView& skin, size_t vertex) {
+    return skin.vertex_parts ? skin.vertex_parts[vertex] : 0;
+}
+
+uint32_t part_of_triangle(const FlgSkinView& skin, size_t triangle) {
+    if (skin.triangle_parts) return skin.triangle_parts[triangle];
+    const uint32_t* c = skin.triangles + 3 * triangle;
+    const uint32_t a = part_of_vertex(skin, c[0]), b = part_of_vertex(skin, c[1]);
+    return b == part_of_vertex(skin, c[2]) ? b : a;
 }
 
 void CheckedSkin::check_animation(const FlgSkinAnimation& animation, const String& place) const {
@@ -448,15 +518,6 @@ void CheckedSkin::check_animation(const FlgSkinAnimation& animation, const Strin
     }
     if (animation.translations)
         check_floats(animation.translations, 3 * size_t{animation.key_count}, place + ".translations");
-}
-
-void CheckedSkin::check_materials() {
-    materials_ = read_materials(desc_.materials, desc_.material_count);
-    for (size_t v = 0; desc_.material_count > 1 && v < vertex_count(); ++v) {
-        if (part(v) < desc_.material_count) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_parts", v), "is %u, but there are %u materials", part(v),
-             desc_.material_count);
-    }
 }
 
 }  // namespace flg::io

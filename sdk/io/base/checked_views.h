@@ -107,33 +107,41 @@ public:
     // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
     explicit CheckedSkin(const FlgSkinFileWriteDesc* desc);
 
-    const FlgSkinView& skin() const { return skin_; }
-    size_t vertex_count() const { return skin_.vertex_count; }
-    size_t joint_count() const { return skin_.joint_count; }
+    const FlgSkinView& skin() const { return meshes_[0]; }
+    // The skin, and its levels of detail.
+    const Vector<FlgSkinView>& meshes() const { return meshes_; }
+    size_t joint_count() const { return skin().joint_count; }
     const Vector<FlgSkinAnimation>& animations() const { return animations_; }
     const Vector<FlgMeshMaterial>& materials() const { return materials_; }
-    Origin origin() const { return {skin_.origin[0], skin_.origin[1], skin_.origin[2]}; }
+    Origin origin() const { return {skin().origin[0], skin().origin[1], skin().origin[2]}; }
     String name() const { return desc_.name ? desc_.name : "model"; }
     const std::optional<FlgRig>& rig() const { return rig_; }
     const std::optional<FlgVrm>& vrm() const { return vrm_; }
-    uint32_t part(size_t vertex) const { return skin_.vertex_parts ? skin_.vertex_parts[vertex] : 0; }
+    std::span<const uint8_t> texture() const { return {desc_.texture, desc_.texture_size}; }
+    bool has_png() const;
 
 private:
-    void check_vertices() const;
-    void check_binding(size_t vertex) const;
-    void check_triangles() const;
+    void check_mesh(const FlgSkinView& mesh, const String& place) const;
+    void check_binding(const FlgSkinView& mesh, const String& place, size_t vertex) const;
+    void check_triangles(const FlgSkinView& mesh, const String& place) const;
+    void check_labels(const FlgSkinView& mesh, const String& place) const;
     void check_joints() const;
+    void check_levels();
+    void check_texture() const;
     void check_animation(const FlgSkinAnimation& animation, const String& place) const;
-    void check_materials();
     void check_rig();
     void check_vrm();
 
     FlgSkinFileWriteDesc desc_ = {};
-    FlgSkinView skin_ = {};
+    Vector<FlgSkinView> meshes_;
     std::optional<FlgRig> rig_;
     std::optional<FlgVrm> vrm_;
     Vector<FlgSkinAnimation> animations_;
     Vector<FlgMeshMaterial> materials_;
 };
+
+// The part of a vertex, and of a triangle, as FlgSkinView has them.
+uint32_t part_of_vertex(const FlgSkinView& skin, size_t vertex);
+uint32_t part_of_triangle(const FlgSkinView& skin, size_t triangle);
 
 }  // namespace flg::io

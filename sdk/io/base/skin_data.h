@@ -20,6 +20,7 @@ struct AnimationData {
 struct SkinData {
     Vector<float> positions, normals, weights;
     Vector<uint32_t> triangles, parts;
+    Vector<uint32_t> triangle_parts;  // none: as vertices have it
     Vector<uint16_t> joints;
     Vector<float> joint_positions;
     Vector<uint32_t> joint_parents;

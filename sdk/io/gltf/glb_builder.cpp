@@ -52,6 +52,10 @@ size_t GlbBuilder::add_plain_view(std::span<const float> values) {
     return add_bytes(values.data(), values.size_bytes(), 0, "");
 }
 
+size_t GlbBuilder::add_file(std::span<const uint8_t> bytes) {
+    return add_bytes(bytes.data(), bytes.size(), 0, "");
+}
+
 size_t GlbBuilder::add_colors(Vector<float> colors) {
     for (float& value : colors) value = std::clamp(value, 0.0f, 1.0f);
     return add_view(colors, 4);

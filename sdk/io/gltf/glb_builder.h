@@ -34,6 +34,8 @@ public:
     size_t add_view(std::span<const uint8_t> fours);
     // Floats that are no vertices': keys of animations, matrices.
     size_t add_plain_view(std::span<const float> values);
+    // A file of its own, such as a picture.
+    size_t add_file(std::span<const uint8_t> bytes);
     // Four floats each, clamped to 0..1, as COLOR_0 asks for.
     size_t add_colors(Vector<float> colors);
 

@@ -71,14 +71,21 @@ FlgMeshMaterial material_view(const MaterialData& data) {
     return material;
 }
 
-String json_plain_material(const String& name) {
-    return "{\"name\":\"" + name + "\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
+namespace {
+
+constexpr const char* first_texture = "\"baseColorTexture\":{\"index\":0},";
+
+}  // namespace
+
+String json_plain_material(const String& name, bool has_texture) {
+    return "{\"name\":\"" + name + "\",\"pbrMetallicRoughness\":{" + (has_texture ? first_texture : "") +
+           "\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
 }
 
-String json_material(const FlgMeshMaterial& material, const String& default_name) {
+String json_material(const FlgMeshMaterial& material, const String& default_name, bool has_texture) {
     String json = "{\"name\":" + json_text(material.name ? material.name : default_name) +
-                  ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" + json_color(material.color) +
-                  ",1],\"metallicFactor\":" + json_number(material.metallic) +
+                  ",\"pbrMetallicRoughness\":{" + (has_texture ? first_texture : "") + "\"baseColorFactor\":[" +
+                  json_color(material.color) + ",1],\"metallicFactor\":" + json_number(material.metallic) +
                   ",\"roughnessFactor\":" + json_number(material.roughness) + "}";
     if (material.border_width_px > 0) {
         json += ",\"extras\":{\"border_color\":[" + json_color(material.border_color) +

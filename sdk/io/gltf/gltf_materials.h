@@ -21,10 +21,11 @@ GltfMaterial read_material(const GltfDocument& document, uint64_t index, const S
 // As hosts see it; lives as long as `data`.
 FlgMeshMaterial material_view(const MaterialData& data);
 
-// A material as JSON, to be read back with the same look; `default_name` where it has no name.
-String json_material(const FlgMeshMaterial& material, const String& default_name);
+// A material as JSON, to be read back with the same look; `default_name` where it has no name. With texture 0, if
+// asked for.
+String json_material(const FlgMeshMaterial& material, const String& default_name, bool has_texture = false);
 
 // One that says no colour: `name` needs no escapes.
-String json_plain_material(const String& name);
+String json_plain_material(const String& name, bool has_texture = false);
 
 }  // namespace flg::io

@@ -59,7 +59,7 @@ String json_vrm(const FlgVrm& vrm, const String& model_name, size_t joint_count,
     for (size_t j = 0; j < joint_count; ++j)
         if (vrm.bones[j]) add_item(bones, json_text(vrm.bones[j]) + ":{\"node\":" + to_text(first_node + j) + "}");
     const char* license = vrm.license_url ? vrm.license_url : "https://vrm.dev/licenses/1.0/";
-    return "\"extensionsUsed\":[\"VRMC_vrm\"],\"extensions\":{\"VRMC_vrm\":{\"specVersion\":\"1.0\",\"meta\":{"
+    return "\"extensions\":{\"VRMC_vrm\":{\"specVersion\":\"1.0\",\"meta\":{"
            "\"name\":" +
            json_text(vrm.name ? std::string_view(vrm.name) : std::string_view(model_name)) + ",\"authors\":[" +
            authors + "],\"licenseUrl\":" + json_text(license) + "},\"humanoid\":{\"humanBones\":{" + bones + "}}}}";

@@ -12,7 +12,7 @@ namespace flg::io {
 // `{"filigree":{...}}`. Places are relative to the joint, which is at `position`.
 String json_rig_joint(const FlgRigJoint& joint, const float* position);
 
-// `"extensionsUsed":[...],"extensions":{...}`, of a document whose joints are nodes from the first one on.
+// `"extensions":{...}` of a document whose joints are nodes from the first one on.
 String json_vrm(const FlgVrm& vrm, const String& model_name, size_t joint_count, size_t first_node);
 
 }  // namespace flg::io

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "io/base/json_text.h"
 #include "io/base/vec3.h"
@@ -107,6 +108,8 @@ private:
             data_.triangles.insert(data_.triangles.end(), {first_vertex_ + a, first_vertex_ + (mirrored ? c : b),
                                                            first_vertex_ + (mirrored ? b : c)});
         });
+        data_.triangle_parts.resize(data_.triangle_count(), found->second);
+        file_materials_.resize(data_.triangle_count(), material);
     }
 
     void check_room(uint64_t more_vertices, uint64_t more_triangles, const String& place) const {
@@ -258,6 +261,13 @@ private:
         if (all_have_parts_) {
             const uint32_t highest = *std::max_element(data_.parts.begin(), data_.parts.end());
             const size_t count = document_.size("materials");
+            const bool tells_parts =
+                count > highest && count > 1 &&
+                std::all_of(file_materials_.begin(), file_materials_.end(), [&](uint64_t m) { return m < count; });
+            if (tells_parts)
+                data_.triangle_parts.assign(file_materials_.begin(), file_materials_.end());
+            else
+                data_.triangle_parts.clear();
             if (count == 0 || (count > 1 && count <= highest)) return;
             materials_.clear();
             for (uint64_t i = 0; i < count; ++i) materials_.push_back(read_material(document_, i, "materials"));
@@ -293,6 +303,7 @@ private:
     uint32_t first_vertex_ = 0;
     bool all_have_parts_ = true;
     Map<uint64_t, uint32_t> part_of_material_;
+    Vector<uint64_t> file_materials_;  // by triangle
     Vector<GltfMaterial> materials_;
     Tally lines_, more_joints_;
 };
@@ -326,15 +337,57 @@ void append_unit(const float* values, Vector<float>& to) {
     for (size_t k = 0; k < N; ++k) to.push_back(keeps ? values[k] : static_cast<float>(values[k] / size));
 }
 
+// The vertices of a mesh with texture coordinates: those whose corners differ in them are there several times, a vertex
+// of the skin first as what it is there.
+struct TexturedVertices {
+    explicit TexturedVertices(const FlgSkinView& mesh) {
+        constexpr uint32_t none = 0xffffffffu;
+        const size_t corners = 3 * size_t{mesh.triangle_count};
+        sources.resize(mesh.vertex_count);
+        std::iota(sources.begin(), sources.end(), 0u);
+        corner_vertices.assign(mesh.triangles, mesh.triangles + corners);
+        if (!mesh.corner_uvs) return;
+        uvs.resize(2 * sources.size());
+        Vector<uint32_t> next(sources.size(), none);  // of a vertex, where it is once more
+        Vector<bool> has_uv(sources.size());
+        for (size_t c = 0; c < corners; ++c) {
+            const float* uv = mesh.corner_uvs + 2 * c;
+            const auto fits = [&](uint32_t v) {
+                return uvs[2 * size_t{v}] == uv[0] && uvs[2 * size_t{v} + 1] == uv[1];
+            };
+            uint32_t vertex = mesh.triangles[c];
+            if (has_uv[vertex]) {
+                while (!fits(vertex) && next[vertex] != none) vertex = next[vertex];
+                if (!fits(vertex)) {
+                    next[vertex] = static_cast<uint32_t>(sources.size());
+                    vertex = next[vertex];
+                    sources.push_back(mesh.triangles[c]);
+                    next.push_back(none);
+                    uvs.insert(uvs.end(), {uv[0], uv[1]});
+                }
+            } else {
+                has_uv[vertex] = true;
+                std::copy_n(uv, 2, uvs.begin() + static_cast<ptrdiff_t>(2 * size_t{vertex}));
+            }
+            corner_vertices[c] = vertex;
+        }
+    }
+
+    Vector<uint32_t> sources, corner_vertices;
+    Vector<float> uvs;  // none without a picture
+};
+
 class SkinWriter {
 public:
     explicit SkinWriter(const CheckedSkin& checked) : checked_(checked), skin_(checked.skin()) {}
 
     String write() {
-        const String attributes = add_vertices();
-        add_primitives(attributes);
+        for (const FlgSkinView& mesh : checked_.meshes()) add_mesh(mesh);
+        add_materials();
         for (const FlgSkinAnimation& animation : checked_.animations()) add_animation(animation);
-        String joints, roots, nodes;
+        const size_t levels = checked_.meshes().size() - 1,
+                     first_level_node = first_joint_node + checked_.joint_count();
+        String joints, roots, nodes, level_nodes, extensions;
         Vector<String> children(checked_.joint_count());
         for (size_t j = 0; j < checked_.joint_count(); ++j) {
             const uint32_t parent = skin_.joint_parents[j];
@@ -342,31 +395,47 @@ public:
             add_item(parent == FLG_NO_INDEX ? roots : children[parent], number(first_joint_node + j));
         }
         const String name = checked_.name();
-        add_item(nodes, "{\"name\":" + json_text(name) + ",\"mesh\":0,\"skin\":0}");
+        for (size_t i = 0; i < levels; ++i) add_item(level_nodes, number(first_level_node + i));
+        add_item(nodes, "{\"name\":" + json_text(levels == 0 ? name : name + "_LOD0") + ",\"mesh\":0,\"skin\":0" +
+                            (levels == 0 ? "" : ",\"extensions\":{\"MSFT_lod\":{\"ids\":[" + level_nodes + "]}}") +
+                            "}");
         add_item(nodes, "{\"name\":" + json_text(name + " skeleton") + json_translation(checked_.origin()) +
                             ",\"children\":[" + roots + "]}");
         for (size_t j = 0; j < checked_.joint_count(); ++j) add_item(nodes, joint_node(j, children[j]));
+        for (size_t i = 1; i <= levels; ++i)
+            add_item(nodes,
+                     "{\"name\":" + json_text(name + "_LOD" + number(i)) + ",\"mesh\":" + number(i) + ",\"skin\":0}");
         String top = "\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[" + nodes +
                      "],\"skins\":[{\"name\":" + json_text(name) +
                      ",\"inverseBindMatrices\":" + number(add_bind_matrices()) + ",\"skeleton\":1,\"joints\":[" +
                      joints + "]}],\"materials\":[" + materials_ + "],";
         if (!animations_.empty()) top += "\"animations\":[" + animations_ + "],";
+        if (!checked_.texture().empty()) top += json_texture();
+        if (levels != 0) add_item(extensions, "\"MSFT_lod\"");
+        if (checked_.vrm()) add_item(extensions, "\"VRMC_vrm\"");
+        if (!extensions.empty()) top += "\"extensionsUsed\":[" + extensions + "],";
         if (checked_.vrm()) top += json_vrm(*checked_.vrm(), name, checked_.joint_count(), first_joint_node) + ",";
         return glb_.finish_scene(top, name);
     }
 
 private:
-    String add_vertices() {
-        const size_t count = checked_.vertex_count();
-        const std::span<const float> positions(skin_.positions, 3 * count);
-        Vector<float> normals, weights, parts;
+    void add_mesh(const FlgSkinView& mesh) {
+        const TexturedVertices vertices(mesh);
+        add_primitives(mesh, vertices, add_vertices(mesh, vertices));
+        if (checked_.meshes().size() > 1) glb_.end_mesh();
+    }
+
+    String add_vertices(const FlgSkinView& mesh, const TexturedVertices& vertices) {
+        const size_t count = vertices.sources.size();
+        Vector<float> positions, normals, weights, parts;
         Vector<uint16_t> joints;
-        for (size_t v = 0; v < count; ++v) {
-            const float* n = skin_.normals + 3 * v;
+        for (const uint32_t v : vertices.sources) {
+            positions.insert(positions.end(), mesh.positions + 3 * size_t{v}, mesh.positions + 3 * size_t{v} + 3);
+            const float* n = mesh.normals + 3 * size_t{v};
             const float axis[] = {0, 0, 1};
             append_unit<3>(n[0] == 0 && n[1] == 0 && n[2] == 0 ? axis : n, normals);
-            append_binding(v, joints, weights);
-            parts.push_back(static_cast<float>(checked_.part(v)));
+            append_binding(mesh, v, joints, weights);
+            parts.push_back(static_cast<float>(part_of_vertex(mesh, v)));
         }
         String attributes =
             "\"POSITION\":" + number(glb_.add_positions(glb_.add_view(positions, 3), positions, 0, count));
@@ -374,16 +443,18 @@ private:
             attributes += ",\"" + String(name) + "\":" + number(glb_.add_accessor(view, 0, count, component, type));
         };
         add("NORMAL", glb_.add_view(normals, 3), glb_float, "VEC3");
+        if (!vertices.uvs.empty()) add("TEXCOORD_0", glb_.add_view(vertices.uvs, 2), glb_float, "VEC2");
         add("JOINTS_0", glb_.add_view(std::span<const uint16_t>(joints)), glb_unsigned_short, "VEC4");
         add("WEIGHTS_0", glb_.add_view(weights, 4), glb_float, "VEC4");
-        if (skin_.vertex_parts) add("_PART", glb_.add_view(parts, 1), glb_float, "SCALAR");
+        if (mesh.vertex_parts) add("_PART", glb_.add_view(parts, 1), glb_float, "SCALAR");
         return attributes;
     }
 
     // What has no weight is joint 0; the largest weight takes up what the sum is off.
-    void append_binding(size_t vertex, Vector<uint16_t>& joints, Vector<float>& weights) const {
-        const uint16_t* from_joints = skin_.vertex_joints + joints_a_vertex * vertex;
-        const float* from = skin_.vertex_weights + joints_a_vertex * vertex;
+    static void append_binding(const FlgSkinView& mesh, size_t vertex, Vector<uint16_t>& joints,
+                               Vector<float>& weights) {
+        const uint16_t* from_joints = mesh.vertex_joints + joints_a_vertex * vertex;
+        const float* from = mesh.vertex_weights + joints_a_vertex * vertex;
         double sum = 0;
         size_t largest = 0;
         for (size_t k = 0; k < joints_a_vertex; ++k) {
@@ -400,18 +471,12 @@ private:
         if (!keeps) weights[weights.size() - joints_a_vertex + largest] = static_cast<float>(1 - others);
     }
 
-    uint32_t part_of_triangle(size_t triangle) const {
-        const uint32_t* c = skin_.triangles + 3 * triangle;
-        const uint32_t a = checked_.part(c[0]), b = checked_.part(c[1]);
-        return b == checked_.part(c[2]) ? b : a;
-    }
-
-    void add_primitives(const String& attributes) {
-        const size_t material_count = checked_.materials().size();
+    void add_primitives(const FlgSkinView& mesh, const TexturedVertices& vertices, const String& attributes) {
         Map<uint32_t, Vector<uint32_t>> indices;  // by part
-        for (size_t t = 0; t < skin_.triangle_count; ++t) {
-            Vector<uint32_t>& list = indices[material_count > 1 ? part_of_triangle(t) : 0];
-            list.insert(list.end(), skin_.triangles + 3 * t, skin_.triangles + 3 * t + 3);
+        for (size_t t = 0; t < mesh.triangle_count; ++t) {
+            Vector<uint32_t>& list = indices[checked_.materials().size() > 1 ? part_of_triangle(mesh, t) : 0];
+            const uint32_t* corners = &vertices.corner_vertices[3 * t];
+            list.insert(list.end(), corners, corners + 3);
         }
         for (const auto& [part, list] : indices) {
             const size_t accessor = glb_.add_accessor(glb_.add_view(std::span<const uint32_t>(list)), 0, list.size(),
@@ -419,9 +484,23 @@ private:
             glb_.add_primitive(attributes, glb_triangles,
                                ",\"indices\":" + number(accessor) + ",\"material\":" + number(part));
         }
-        if (material_count == 0) materials_ = json_plain_material("surface");
+    }
+
+    void add_materials() {
+        const size_t material_count = checked_.materials().size();
+        const bool has_texture = !checked_.texture().empty();
+        if (material_count == 0) materials_ = json_plain_material("surface", has_texture);
         for (size_t i = 0; i < material_count; ++i)
-            add_item(materials_, json_material(checked_.materials()[i], "part " + number(i)));
+            add_item(materials_, json_material(checked_.materials()[i], "part " + number(i), has_texture));
+    }
+
+    // At its edge the picture goes on: bodies reach a little beyond their outlines.
+    String json_texture() {
+        constexpr const char* to_edge = "33071";
+        return "\"images\":[{\"bufferView\":" + number(glb_.add_file(checked_.texture())) + ",\"mimeType\":\"image/" +
+               (checked_.has_png() ? "png" : "jpeg") +
+               "\"}],\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" + to_edge +
+               ",\"wrapT\":" + to_edge + "}],\"textures\":[{\"source\":0,\"sampler\":0}],";
     }
 
     size_t add_bind_matrices() {

@@ -242,12 +242,14 @@ namespace Filigree
         /// <summary>
         /// Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the
         /// mesh, a node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have
-        /// POSITION, NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float) and _PART. Rotations that stay at identity are
-        /// omitted. Refuses what glTF forbids: joints out of range or twice at a vertex, weights that do not sum to 1
-        /// within 0.0001, quaternions that are not of length 1 within 0.001, times that do not rise, values that are
-        /// not finite, parents that do not come first. Cost: about 0.8 us a vertex. Errors:
-        /// FlgResult.ErrorInvalidArgument, FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile,
-        /// FlgResult.ErrorLimit (2 GiB).
+        /// POSITION, NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART and, with corner_uvs, TEXCOORD_0; vertices
+        /// whose corners differ in them are there several times. Levels of detail are meshes of the same skin, named
+        /// NAME_LOD0, NAME_LOD1, ...; the first is in the scene and refers to the others by MSFT_lod, so programs that
+        /// do not know it show the finest alone. Rotations that stay at identity are omitted. Refuses what glTF
+        /// forbids: joints out of range or twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions
+        /// that are not of length 1 within 0.001, times that do not rise, values that are not finite, parents that do
+        /// not come first. Cost: about 0.8 us a vertex. Errors: FlgResult.ErrorInvalidArgument, FlgResult.ErrorFormat
+        /// for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileWrite(byte* path, FlgSkinFileWriteDesc* desc);

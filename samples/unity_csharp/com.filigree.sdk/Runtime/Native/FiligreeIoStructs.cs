@@ -339,7 +339,10 @@ namespace Filigree
         /// <summary>0: one without colour; 1: one for all; else above all part indices. Default 0</summary>
         public uint material_count;
         public uint reserved;
-        /// <summary>by part. A triangle belongs to the part of two of its corners, else of its first corner</summary>
+        /// <summary>
+        /// by part. Without triangle_parts a triangle belongs to the part of two of its corners, else of its first
+        /// corner
+        /// </summary>
         public FlgMeshMaterial* materials;
         /// <summary>null: all defaults. Default null</summary>
         public FlgFileHooks* hooks;
@@ -347,6 +350,19 @@ namespace Filigree
         public FlgRig* rig;
         /// <summary>makes the file a VRM 1.0 avatar. Default null</summary>
         public FlgVrm* vrm;
+        /// <summary>
+        /// a PNG or JPEG file, texture_size bytes: the colour of all materials, times theirs; the skin needs
+        /// corner_uvs. Default null
+        /// </summary>
+        public byte* texture;
+        public ulong texture_size;
+        /// <summary>
+        /// levels of detail after the skin itself, from fine to coarse, with its joints: flgSkinSimplify. Default null
+        /// </summary>
+        public FlgSkinView* levels;
+        /// <summary>up to 16. Default 0</summary>
+        public uint level_count;
+        public uint reserved2;
     }
 
     public unsafe partial struct FlgMotionFileWriteDesc

@@ -196,6 +196,13 @@ namespace Filigree
         /// key of the parent's joint that it attaches to; null, or not there: the nearest place. Default null
         /// </summary>
         public byte* parent_joint;
+        /// <summary>
+        /// The rectangle of its drawing that a picture covers: left, bottom, right, top, units of the contour. It gives
+        /// the skin texture coordinates: the part is projected along the plane of its drawing, front and back alike,
+        /// and a mirror image shows the mirrored picture. Right above left and top above bottom, or all 0: none.
+        /// Default 0
+        /// </summary>
+        public fixed double picture[4];
     }
 
     /// <summary>
@@ -356,24 +363,41 @@ namespace Filigree
         /// input
         /// </summary>
         public fixed float mirror[4];
+        /// <summary>
+        /// one per triangle: the part it lies on. These meet at edges that follow the parts' border. Null in input:
+        /// that of two corners, else of the first
+        /// </summary>
+        public uint* triangle_parts;
+        /// <summary>
+        /// 6 per triangle: u, v of its corners, 0 0 at the picture's upper left, 1 1 at its lower right; parts without
+        /// a picture: 0. Corners of a vertex differ only where parts with different projections meet. Null: no part has
+        /// a picture
+        /// </summary>
+        public float* corner_uvs;
     }
 
     public unsafe partial struct FlgSkinDesc
     {
         public uint struct_size;
-        /// <summary>
-        /// approximate count, within 15 %, if no part is too thin: 100 to max_vertices, default 10000
-        /// </summary>
+        /// <summary>within 2 %, or more if a part is too thin for so few: 100 to max_vertices, default 10000</summary>
         public uint vertex_count;
         public FlgJobOptions* job;
         public FlgModel model;
-        /// <summary>upper limit where thin parts need more: 100 to 4194304, default 200000</summary>
+        /// <summary>
+        /// upper limit where thin parts need more, without borders between parts: 100 to 4194304, default 200000
+        /// </summary>
         public uint max_vertices;
         /// <summary>
         /// rounds edges where parts cross over this length: metres, up to 1e30; below 0: automatic, 0.15 of the smaller
         /// part's radius; 0: none. Default -1
         /// </summary>
         public float blend;
+        /// <summary>
+        /// corners of contours that turn by more than this, within 1.5 edges of the surface, stay corners: radians, 0
+        /// to pi; 0: all are rounded to about an edge's length. Default 0
+        /// </summary>
+        public float corner_angle;
+        public uint reserved;
     }
 
     public unsafe partial struct FlgSkinFromMeshDesc
@@ -399,6 +423,15 @@ namespace Filigree
         public uint reserved;
         /// <summary>shares of three times the mesh's diagonal; null: the defaults</summary>
         public FlgBoneThresholds* thresholds;
+    }
+
+    public unsafe partial struct FlgSkinSimplifyDesc
+    {
+        public uint struct_size;
+        /// <summary>at least 4. No default</summary>
+        public uint vertex_count;
+        public FlgJobOptions* job;
+        public FlgSkin skin;
     }
 
     /// <summary>A motion of a skin's joints.</summary>

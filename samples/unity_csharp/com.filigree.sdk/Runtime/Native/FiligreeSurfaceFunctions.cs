@@ -133,11 +133,14 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that computes distances along the surface from the nearest source to every vertex. It unfolds
-        /// fronts over triangles; the error is below 0.2 % (RMS) on natural meshes. The first job on a surface also
-        /// builds the solver's data (about 0.15 us a triangle; kept, and updated by cuts). Cost then: about 40 ns a
-        /// triangle within the limits and below 1 ns for each other one, as every vertex has a value. If sources lie
-        /// outside the regions, all distances are infinite. FlgResult.ErrorOutOfMemory also if memory runs out while
-        /// building that data.
+        /// fronts over triangles; the error is below 0.2 % (RMS) on natural meshes, and below 0.6 % on them stretched
+        /// to twenty times their length: where triangles are obtuse, others of the same shape are unfolded (intrinsic
+        /// edge flips), and the surface is not changed. No distance exceeds that along edges by more than 3e-5 of it.
+        /// From points and vertices alone, at most 16 or with labels, none is less than the straight line. The first
+        /// job on a surface also builds the solver's data (about 0.15 us a triangle; kept, and updated by cuts). Cost
+        /// then: about 40 ns a triangle within the limits and below 1 ns for each other one, as every vertex has a
+        /// value. If sources lie outside the regions, all distances are infinite. FlgResult.ErrorOutOfMemory also if
+        /// memory runs out while building that data.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldCreateGeodesic(
