@@ -123,6 +123,7 @@ Task<void> mitre(Pace& pace, const Application& application, uint32_t curve, uin
     co_await mitre_corners(pace, {.plan = plan,
                                   .magnitude = application.input.magnitude,
                                   .size = application.mitred_size * application.scale_of(curve),
+                                  .across = application.pieces.across_of(curve),
                                   .positions = frame_columns(application.sampling, out_curve).positions,
                                   .displacement = displacement ? displacement->values.data() + first : nullptr});
     const Sampling& sampling = application.sampling;

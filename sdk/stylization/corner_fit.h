@@ -27,6 +27,10 @@ struct TargetPieces {
         if (across.empty()) return {};
         return {across.data() + offsets[curve], across.data() + offsets[curve + 1]};
     }
+    std::span<const float> across_of(uint32_t curve) const {
+        if (across.empty()) return {};
+        return {across.data() + offsets[curve], across.data() + offsets[curve + 1]};
+    }
 };
 
 // What corners of a target are.

@@ -80,12 +80,12 @@ bool has_body(const StyleScene& scene) {
     return false;
 }
 
-void check_body(const StyleScene& scene, const FlgStyleDesc& desc) {
+void check_body(const StyleScene& scene, const FlgStyleDesc& desc, double style_length) {
     if (has_body(scene)) return;
     throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                  "desc.start_cap and desc.end_cap are %g and %g m: what they leave of desc.style is too short for two "
-                  "patches",
-                  static_cast<double>(desc.start_cap), static_cast<double>(desc.end_cap));
+                  "desc.start_cap and desc.end_cap are %g and %g m: what they leave of desc.style, %g m long, is too "
+                  "short for two patches",
+                  static_cast<double>(desc.start_cap), static_cast<double>(desc.end_cap), style_length);
 }
 
 // Marks first; what is to be found takes the graph of all that is not marked.
@@ -96,7 +96,7 @@ Task<void> set_caps(Pace& pace, const StyleRequest& request, double last_length,
                                          last_length, desc.start_cap, desc.end_cap);
     scene.start_cap = marked.start;
     scene.end_cap = marked.end;
-    check_body(scene, desc);
+    check_body(scene, desc, prepared.style_length);
     if (desc.start_cap >= 0 && desc.end_cap >= 0) co_return;
     const StyleScene wide = wide_scene(scene);
     if (!has_body(wide)) co_return;
