@@ -48,7 +48,7 @@ Task<void> measure_pieces(Pace& pace, const CurveSet& target, const float* step_
 
 struct CornerFit {
     const PatchGraph* graph = nullptr;
-    double fit = 0;
+    StrokeMotifs stroke;
     bool motifs = false;  // whole ones from corner to corner
     bool caps = false;    // at corners too
 };

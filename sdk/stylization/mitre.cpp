@@ -30,9 +30,9 @@ struct Directions {
     Vec3 start = Vec3::Zero(), end = Vec3::Zero();
 };
 
-// The slope of the line that fits a stretch best, position against arc length: the mean of its directions, each with the
-// weight s (window - s).
-double weight(double window, double from, double to) {
+// The slope of the line that fits a stretch best, position against arc length: the mean of its directions, each with
+// the weight s (window - s).
+double slope_weight(double window, double from, double to) {
     const auto sum = [=](double s) { return s * s * (0.5 * window - s / 3); };
     from = std::clamp(from, 0.0, window);
     to = std::clamp(to, 0.0, window);
@@ -63,9 +63,9 @@ Task<void> fit_directions(Pace& pace, const MitreInput& input, std::span<Directi
             }
             const double next = s + block.lengths[j], metres = pieces[p].metres,
                          window = reach_of(input.size, pieces[p]);
-            if (s < window) directions[p].start += weight(window, s, next) * block.directions[j];
+            if (s < window) directions[p].start += slope_weight(window, s, next) * block.directions[j];
             if (next > metres - window) {
-                directions[p].end += weight(window, metres - next, metres - s) * block.directions[j];
+                directions[p].end += slope_weight(window, metres - next, metres - s) * block.directions[j];
             }
             s = next;
         }
@@ -93,11 +93,13 @@ public:
         if (sum < reversal) {
             inwards_ = side * behind;
             ahead_ = 1;
-            kept_ = 0;
+            kept_ = slide_max_ = 0;
         } else {
+            const double cotangent = sum / difference;  // of half the turn
             inwards_ = side / sum * (before + behind);
             ahead_ = 0.5 * sum;
-            kept_ = std::min(1.0, slide_max_ * sum / (difference * size));
+            slide_max_ *= std::min(cotangent, 1.0);
+            kept_ = std::min(1.0, slide_max_ / size * cotangent);
         }
     }
 

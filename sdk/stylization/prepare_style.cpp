@@ -43,11 +43,28 @@ Task<void> match_guides(Pace& pace, const StyleRequest& request, const StyleCurv
         co_await each(pace, count, Cost::some_ns, load);
         const std::pmr::vector<Vec3>& points = curves[c].points;
         const SmoothStyleCurve style(points.data(), static_cast<uint32_t>(points.size()), curves[c].measure.length);
-        const double farthest_step = matching_step_max * style.length() / (count - 1);
-        const GuideMatch match = co_await match_guide(pace, style, guide, request.desc.beta, farthest_step);
+        // Caps are as they are drawn: evenly along their straight guide.
+        const StyleCurve& curve = curves[c];
+        const uint32_t start = curve.nodes_of(curve.start_cap), end = curve.nodes_of(curve.end_cap);
+        const uint32_t body = count - start - end,
+                       body_points = style.count() - curve.start_cap.points - curve.end_cap.points;
+        const double start_length = curve.start_cap.points * style.spacing();
+        const double end_length = curve.end_cap.points * style.spacing();
+        const double body_length = style.length() - start_length - end_length;
+        const SmoothStyleCurve between(style.points() + curve.start_cap.points, body_points, body_length);
+        const double farthest_step = matching_step_max * body_length / (body - 1);
+        const GuideMatch match = co_await match_guide(pace, between, std::span(guide).subspan(start, body),
+                                                      request.desc.beta, farthest_step);
         energy += match.energy;
         co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
-            const double place = match.places[i];
+            double place = 0;
+            if (i < start) {
+                place = start_length * i / start;
+            } else if (i < start + body) {
+                place = start_length + match.places[i - start];
+            } else {
+                place = style.length() - end_length * (count - 1 - i) / end;
+            }
             matched.places[first + i] = place;
             prepared.matching[first + i] = static_cast<float>(place);
             matched.points[first + i] = style.evaluate(place).position;
