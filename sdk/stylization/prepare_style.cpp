@@ -7,6 +7,7 @@
 #include "core/failure.h"
 #include "runtime/each.h"
 #include "stylization/guide_matching.h"
+#include "stylization/repetitions.h"
 #include "stylization/smooth_style_curve.h"
 #include "stylization/style_caps.h"
 #include "stylization/style_curves.h"
@@ -105,41 +106,98 @@ void check_body(const StyleScene& scene, const FlgStyleDesc& desc, double style_
                   static_cast<double>(desc.start_cap), static_cast<double>(desc.end_cap), style_length);
 }
 
-// Marks first; what is to be found takes the graph of all that is not marked.
-Task<void> set_caps(Pace& pace, const StyleRequest& request, double last_length, StyleScene& scene) {
-    const FlgStyleDesc& desc = request.desc;
-    const PreparedStyle& prepared = request.style->prepared;
-    const StyleCaps marked = marked_caps(scene.boundaries, {prepared.matching.data(), prepared.matching.size()},
-                                         last_length, desc.start_cap, desc.end_cap);
+// In the place of caps that are to be found: as metres of the example. `scene` has no caps.
+Task<FlgStyleDesc> find_marks(Pace& pace, const PreparedStyle& prepared, StyleScene scene, double last_length,
+                              FlgStyleDesc desc) {
+    const bool finds_start = desc.start_cap < 0, finds_end = desc.end_cap < 0;
+    desc.start_cap = std::max(desc.start_cap, 0.0f);
+    desc.end_cap = std::max(desc.end_cap, 0.0f);
+    StyleCaps found;
+    if (scene.curve_count() == 1) found = co_await caps_beside_repetitions(pace, prepared.displacement);
+    const Buffer<float>& matching = prepared.matching;
+    const StyleCaps marked = marked_caps(scene.boundaries, {matching.data(), matching.size()}, last_length,
+                                         double{desc.start_cap}, double{desc.end_cap});
     scene.start_cap = marked.start;
     scene.end_cap = marked.end;
-    check_body(scene, desc, prepared.style_length);
-    if (desc.start_cap >= 0 && desc.end_cap >= 0) co_return;
-    const StyleScene wide = wide_scene(scene);
-    if (!has_body(wide)) co_return;
-    const PatchGraph graph = co_await patch_graph(pace, wide);
-    const StyleCaps found = co_await find_caps(pace, graph, wide, prepared.displacement_rms);
-    if (desc.start_cap < 0) scene.start_cap = found.start;
-    if (desc.end_cap < 0) scene.end_cap = found.end;
-    if (has_body(scene)) co_return;
-    scene.start_cap = marked.start;
-    scene.end_cap = marked.end;
+    if (found.start + found.end == 0) {
+        const StyleScene wide = wide_scene(scene);
+        if (!has_body(wide)) co_return desc;
+        const PatchGraph graph = co_await patch_graph(pace, wide);
+        found = co_await find_caps(pace, graph, wide, prepared.displacement_rms);
+    }
+    StyleScene marks = scene;
+    if (finds_start) marks.start_cap = found.start;
+    if (finds_end) marks.end_cap = found.end;
+    if (!has_body(marks)) co_return desc;
+    if (finds_start && marks.start_cap > 0) desc.start_cap = matching[marks.start_cap];
+    if (finds_end && marks.end_cap > 0) {
+        desc.end_cap = static_cast<float>(last_length - double{matching[marks.node_count() - 1 - marks.end_cap]});
+    }
+    co_return desc;
 }
 
-Task<void> make_graph(Pace& pace, const StyleRequest& request, double last_length) {
-    PreparedStyle& prepared = request.style->prepared;
+Task<std::pmr::vector<PatchChannel>> channels_of(Pace& pace, const PreparedStyle& prepared) {
     std::pmr::vector<PatchChannel> channels(pace.memory());
     for (const StyleAttribute& attribute : prepared.attributes) {
         if (attribute.weight != 0) co_await add_channels(pace, attribute, channels);
     }
+    co_return channels;
+}
+
+// Without caps.
+StyleScene scene_of(const StyleRequest& request, std::span<const PatchChannel> channels) {
+    const PreparedStyle& prepared = request.style->prepared;
     const Buffer<uint32_t>& boundaries = prepared.guide->offsets();
-    StyleScene scene{.displacement = &prepared.displacement,
-                     .boundaries = {boundaries.data(), boundaries.size()},
-                     .patch = request.largest_patch(),
-                     .sizes = {request.patch_sizes.data(), request.desc.patch_size_count},
-                     .channels = channels};
-    co_await set_caps(pace, request, last_length, scene);
+    return {.displacement = &prepared.displacement,
+            .boundaries = {boundaries.data(), boundaries.size()},
+            .patch = request.largest_patch(),
+            .sizes = {request.patch_sizes.data(), request.desc.patch_size_count},
+            .channels = channels};
+}
+
+Task<void> make_graph(Pace& pace, const StyleRequest& request, double last_length) {
+    PreparedStyle& prepared = request.style->prepared;
+    const std::pmr::vector<PatchChannel> channels = co_await channels_of(pace, prepared);
+    StyleScene scene = scene_of(request, channels);
+    const StyleCaps caps = marked_caps(scene.boundaries, {prepared.matching.data(), prepared.matching.size()},
+                                       last_length, double{request.desc.start_cap}, double{request.desc.end_cap});
+    scene.start_cap = caps.start;
+    scene.end_cap = caps.end;
+    check_body(scene, request.desc, prepared.style_length);
     prepared.graph = co_await patch_graph(pace, scene);
+}
+
+// All but the graph. `parts`: of the progress, for each of three stages.
+Task<void> learn(Pace& pace, const StyleRequest& request, StyleCurves& curves, uint32_t count, uint64_t parts) {
+    PreparedStyle& prepared = request.style->prepared;
+    pace.stage("guide_flow");
+    prepared.flow_steps = co_await make_guides(pace, request, curves);
+    share_points(curves, count, request.largest_patch(), pace.memory());
+    prepared.guide =
+        std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<CurveSet>(pace.memory()), pace.memory());
+    prepared.guide->origin = request.example->origin;
+    co_await frame_guides(pace, curves, *prepared.guide);
+    prepared.style_length = prepared.guide_length = 0;
+    for (const StyleCurve& curve : curves) {
+        prepared.style_length += curve.measure.length;
+        prepared.guide_length += curve.guide_measure.length;
+    }
+    pace.advance(parts);
+
+    pace.stage("matching");
+    Matched matched(prepared.guide->point_count(), pace.memory());
+    co_await match_guides(pace, request, curves, matched);
+    prepared.attributes.clear();
+    co_await take_attributes(pace, request, matched);
+    pace.advance(parts);
+
+    pace.stage("displacement");
+    const auto& columns = prepared.guide->columns();
+    const GuideAndStyle input{columns[0].values.data(), columns[1].values.data(), columns[2].values.data(),
+                              matched.points};
+    prepared.displacement = Displacement(prepared.guide->point_count(), pace.memory());
+    prepared.displacement_rms = co_await displace(pace, input, prepared.displacement);
+    pace.advance(parts);
 }
 
 }  // namespace
@@ -163,37 +221,20 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
     if (count == 0) count = co_await choose_point_count(pace, curves);
     co_await sample_curves(pace, curves, count);
 
-    pace.stage("guide_flow");
     constexpr uint64_t progress_parts = 4;
     pace.expect(progress_parts);
-    prepared.flow_steps = co_await make_guides(pace, request, curves);
-    share_points(curves, count, request.largest_patch(), pace.memory());
-    prepared.guide =
-        std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<CurveSet>(pace.memory()), pace.memory());
-    prepared.guide->origin = request.example->origin;
-    co_await frame_guides(pace, curves, *prepared.guide);
-    for (const StyleCurve& curve : curves) {
-        prepared.style_length += curve.measure.length;
-        prepared.guide_length += curve.guide_measure.length;
+    const double last_length = curves.back().measure.length;
+    const bool finds_caps = request.desc.start_cap < 0 || request.desc.end_cap < 0;
+    if (finds_caps) {
+        // What is found bends no guide either: that is made once more.
+        co_await learn(pace, request, curves, count, 0);
+        const std::pmr::vector<PatchChannel> channels = co_await channels_of(pace, prepared);
+        request.desc = co_await find_marks(pace, prepared, scene_of(request, channels), last_length, request.desc);
     }
-    pace.advance(1);
-
-    pace.stage("matching");
-    Matched matched(prepared.guide->point_count(), pace.memory());
-    co_await match_guides(pace, request, curves, matched);
-    co_await take_attributes(pace, request, matched);
-    pace.advance(1);
-
-    pace.stage("displacement");
-    const auto& columns = prepared.guide->columns();
-    const GuideAndStyle input{columns[0].values.data(), columns[1].values.data(), columns[2].values.data(),
-                              matched.points};
-    prepared.displacement = Displacement(prepared.guide->point_count(), pace.memory());
-    prepared.displacement_rms = co_await displace(pace, input, prepared.displacement);
-    pace.advance(1);
+    co_await learn(pace, request, curves, count, 1);
 
     pace.stage("patch_graph");
-    co_await make_graph(pace, request, curves.back().measure.length);
+    co_await make_graph(pace, request, last_length);
     double sum = 0;
     co_await each(pace, prepared.point_count(), Cost::some_ns,
                   [&](uint32_t point) { sum += prepared.squared_bend(point); });

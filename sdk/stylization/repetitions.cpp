@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "runtime/each.h"
@@ -11,56 +12,54 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t lag_samples = 512;       // of the style, when the period is looked for
-constexpr uint32_t window_samples = 64;     // of a period, when two places are compared
-constexpr double lag_like_shorter = 0.35;   // of D(L) over its mean
-constexpr double lag_like_places = 0.5;     // of D(L) over that of unrelated places
-constexpr double joint_like_places = 0.35;  // the same of two joints
-constexpr double lag_spread = 0.4;          // from joint to joint
-constexpr double lag_weight = 0.05;         // of differing by all of that, in squared differences of unrelated places
-constexpr uint32_t shortest_period = 4;     // nodes
+constexpr uint32_t lag_samples = 512;      // of the style, when the period is looked for
+constexpr uint32_t window_samples = 64;    // of a period, when two places are compared
+constexpr double lag_like_shorter = 0.45;  // of D(L) over its mean up to L
+constexpr double lag_like_places = 0.5;    // of D(L) over its mean
+constexpr double joint_like_places = 0.5;  // the same of two joints
+constexpr double lag_spread = 0.4;         // from joint to joint
+constexpr double lag_weight = 0.05;        // of differing by all of that, in means of D
+constexpr uint32_t shortest_period = 4;    // nodes
+// Beside a cap: how much more two neighbouring repetitions may differ than half of them do, and at least may.
+constexpr double odd_medians = 2.5, odd_least = 0.15;
 
 struct StyleBody {
     const Displacement& d;
     uint32_t begin, end;      // nodes
-    double unrelated_sq = 0;  // mean squared distance of two nodes
+    double unrelated_sq = 0;  // mean of D
 
     uint32_t size() const { return end - begin; }
     Vec3 at(uint32_t i) const { return {d.along_tangent[i], d.along_normal[i], d.along_binormal[i]}; }
 };
 
-Task<double> mean_square(Pace& pace, const StyleBody& body) {
-    Vec3 sum = Vec3::Zero();
-    double squares = 0;
-    co_await each(pace, body.begin, body.end, Cost::some_ns, [&](uint32_t i) {
-        sum += body.at(i);
-        squares += body.at(i).squaredNorm();
-    });
-    const double count = body.size();
-    co_return 2 * std::max(squares / count - (sum / count).squaredNorm(), 0.0);
+double middle(std::span<double> values) {
+    const auto half = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), half, values.end());
+    return *half;
 }
 
-// In nodes; 0: there is none.
-Task<double> find_period(Pace& pace, const StyleBody& body) {
-    const uint32_t samples = std::min(body.size(), lag_samples);
+// In nodes; 0: there is none. Fills in the body's mean of D.
+Task<double> find_period(Pace& pace, StyleBody& body) {
+    const uint32_t samples = std::min(body.size(), lag_samples), lags = samples / 2;
     const double stride = static_cast<double>(body.size() - 1) / (samples - 1);
     std::pmr::vector<Vec3> points(samples, pace.memory());
     co_await each(pace, samples, Cost::tens_of_ns,
                   [&](uint32_t k) { points[k] = body.at(body.begin + static_cast<uint32_t>(k * stride + 0.5)); });
-    std::pmr::vector<double> share(samples / 2 + 1, 1.0, pace.memory()), mean(samples / 2 + 1, 1.0, pace.memory());
+    std::pmr::vector<double> d(lags + size_t{1}, 0.0, pace.memory()), squares(samples, 0.0, pace.memory());
     double sum = 0;
-    co_await each(pace, 1, samples / 2 + 1, Cost::microseconds, [&](uint32_t lag) {
-        double squares = 0;
-        for (uint32_t k = 0; k + lag < samples; ++k) squares += (points[k] - points[k + lag]).squaredNorm();
-        share[lag] = squares / (samples - lag) / body.unrelated_sq;
-        sum += share[lag];
-        mean[lag] = sum > 0 ? share[lag] * lag / sum : 1.0;
+    co_await each(pace, 1, lags + 1, Cost::microseconds, [&](uint32_t lag) {
+        for (uint32_t k = 0; k + lag < samples; ++k) squares[k] = (points[k] - points[k + lag]).squaredNorm();
+        d[lag] = middle({squares.data(), samples - lag});
+        sum += d[lag];
     });
-    for (uint32_t lag = 2; lag + 1 < share.size(); ++lag) {
-        const bool least = share[lag] <= share[lag - 1] && share[lag] <= share[lag + 1];
-        if (least && mean[lag] < lag_like_shorter && share[lag] < lag_like_places && lag * stride >= shortest_period) {
-            co_return lag* stride;
-        }
+    body.unrelated_sq = sum / lags;
+    if (!(sum > 0)) co_return 0;
+    double before = d[1];
+    for (uint32_t lag = 2; lag + 1 < d.size(); ++lag) {
+        before += d[lag];
+        const bool least = d[lag] <= d[lag - 1] && d[lag] <= d[lag + 1];
+        const bool like = d[lag] * lag < lag_like_shorter * before && d[lag] < lag_like_places * body.unrelated_sq;
+        if (least && like && lag * stride >= shortest_period) co_return lag* stride;
     }
     co_return 0;
 }
@@ -101,39 +100,93 @@ Task<StyleJoint> next_joint(Pace& pace, const StyleBody& body, uint32_t last, do
     co_return best;
 }
 
+// What a joint is compared with: the second one, so that phases keep, or the one before, where the style drifts.
+enum class Model : uint8_t { second, before };
+
 // From a first joint on. Fewer than three: nothing repeats.
-Task<void> follow_joints(Pace& pace, const StyleBody& body, uint32_t first, double period,
-                         std::pmr::vector<uint32_t>& joints) {
+Task<void> follow_joints(Pace& pace, const StyleBody& body, uint32_t first, double period, Model model,
+                         std::pmr::vector<StyleJoint>& joints) {
     joints.clear();
     const auto whole = static_cast<uint32_t>(period), half = whole / 2;
     if (first + whole >= body.end) co_return;
     const StyleJoint second = co_await next_joint(pace, body, first, period, first, 0, whole);
     if (!(second.unlike < joint_like_places)) co_return;
-    joints.push_back(first);
-    joints.push_back(second.node);
+    joints.push_back({first, second.unlike});
+    joints.push_back(second);
     for (;;) {
-        const StyleJoint next = co_await next_joint(pace, body, joints.back(), period, second.node, half, half);
+        const uint32_t last = joints.back().node, like = model == Model::second ? second.node : last;
+        const StyleJoint next = co_await next_joint(pace, body, last, period, like, half, half);
         if (!(next.unlike < joint_like_places)) co_return;
-        joints.push_back(next.node);
+        joints.push_back(next);
     }
+}
+
+// Without those at the ends between which the style is less like itself than elsewhere. Returns what counts as that.
+double drop_odd_ends(std::pmr::vector<StyleJoint>& joints, Memory* memory) {
+    std::pmr::vector<double> unlike(memory);
+    for (size_t k = 1; k < joints.size(); ++k) unlike.push_back(joints[k].unlike);
+    const double odd = std::max(odd_medians * middle(unlike), odd_least);
+    size_t first = 0;
+    while (first + 1 < joints.size() && joints[first + 1].unlike > odd) ++first;
+    joints.erase(joints.begin(), joints.begin() + static_cast<ptrdiff_t>(first));
+    while (joints.size() > 1 && joints.back().unlike > odd) joints.pop_back();
+    return odd;
+}
+
+// For how many nodes two places go on alike, forth or back; UINT32_MAX: to the body's end.
+Task<uint32_t> count_alike(Pace& pace, const StyleBody& body, uint32_t a, uint32_t b, bool forth, double odd,
+                           uint32_t around) {
+    const uint32_t outer = forth ? std::max(a, b) : std::min(a, b);
+    const uint32_t most = forth ? body.end - 1 - outer : outer - body.begin;
+    uint32_t on = 0;
+    bool ended = false;
+    co_await each(pace, 1, most + 1, Cost::hundreds_of_ns, [&](uint32_t k) {
+        if (ended) return;
+        const auto place = [&](uint32_t from) { return forth ? from + k : from - k; };
+        ended = difference(body, place(a), place(b), around, around) > 2 * odd;
+        if (!ended) on = k;
+    });
+    co_return ended&& on + around < most ? on : UINT32_MAX;
 }
 
 }  // namespace
 
 Task<Buffer<uint32_t>> find_joints(Pace& pace, const PatchGraph& graph, const Displacement& displacement) {
     StyleBody body{displacement, graph.start(), graph.motif_end()};
-    body.unrelated_sq = co_await mean_square(pace, body);
-    std::pmr::vector<uint32_t> joints(pace.memory());
-    const double period = body.unrelated_sq > 0 ? co_await find_period(pace, body) : 0.0;
+    const double period = co_await find_period(pace, body);
+    std::pmr::vector<StyleJoint> joints(pace.memory());
     // The style's start may be of its own kind.
     constexpr uint32_t starts = 4;
     for (uint32_t k = 0; k <= starts && period > 0 && joints.size() < 3; ++k) {
-        co_await follow_joints(pace, body, body.begin + static_cast<uint32_t>(k * period / starts), period, joints);
+        co_await follow_joints(pace, body, body.begin + static_cast<uint32_t>(k * period / starts), period,
+                               Model::second, joints);
     }
-    if (joints.size() < 3) joints.assign({body.begin, body.end - 1});
+    if (joints.size() < 3) joints.assign({{body.begin, 0}, {body.end - 1, 0}});
     Buffer<uint32_t> found(joints.size(), pace.memory());
-    co_await each(pace, joints.size(), Cost::some_ns, [&](uint32_t k) { found[k] = joints[k]; });
+    co_await each(pace, joints.size(), Cost::some_ns, [&](uint32_t k) { found[k] = joints[k].node; });
     co_return found;
+}
+
+Task<StyleCaps> caps_beside_repetitions(Pace& pace, const Displacement& displacement) {
+    StyleBody all{displacement, 0, displacement.size()};
+    const double period = co_await find_period(pace, all);
+    StyleCaps caps;
+    const auto quarter = static_cast<uint32_t>(period / 4);
+    if (quarter == 0) co_return caps;
+    std::pmr::vector<StyleJoint> joints(pace.memory());
+    for (uint32_t first = 0; first + 2 * period < all.end && joints.size() < 3; first += quarter) {
+        co_await follow_joints(pace, all, first, period, Model::before, joints);
+    }
+    if (joints.size() < 3) co_return caps;
+    const double odd = drop_odd_ends(joints, pace.memory());
+    if (joints.size() < 3) co_return caps;
+    // In between joints, as far as neighbouring repetitions are alike.
+    const uint32_t around = std::max(quarter / 2, 1U), first = joints.front().node, last = joints.back().node;
+    const uint32_t back = co_await count_alike(pace, all, first, joints[1].node, false, odd, around);
+    const uint32_t forth = co_await count_alike(pace, all, joints[joints.size() - 2].node, last, true, odd, around);
+    if (back != UINT32_MAX) caps.start = first - back;
+    if (forth != UINT32_MAX) caps.end = all.end - 1 - last - forth;
+    co_return caps;
 }
 
 }  // namespace flg

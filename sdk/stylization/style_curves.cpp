@@ -80,6 +80,7 @@ void mark_caps(const FlgStyleDesc& desc, bool first, bool last, StyleCurve& curv
         return own && metres > 0 ? std::ceil(std::min(metres, curve.measure.length) / curve.point_spacing()) : 0.0;
     };
     const double start = points(first, double{desc.start_cap}), end = points(last, double{desc.end_cap});
+    curve.start_cap = curve.end_cap = {};
     if (start + end + samples_min > static_cast<double>(curve.points.size())) return;
     curve.start_cap.points = static_cast<uint32_t>(start);
     curve.end_cap.points = static_cast<uint32_t>(end);
@@ -94,7 +95,7 @@ struct StraightEnd {
     // the example.
     static Task<StraightEnd> at(Pace& pace, std::span<const Vec3> cap, const auto& body, uint32_t count, double share,
                                 double cap_length) {
-        constexpr uint32_t spans = 32;  // what the end's direction is taken over, as a part of the guide
+        constexpr uint32_t spans = 8;  // the direction is taken over one of so many, since the flow bends the ends
         constexpr double least_share = 0.7;
         const uint32_t over = std::max(count / spans, 1U);
         const Vec3 direction = (body(0) - body(over)).normalized();

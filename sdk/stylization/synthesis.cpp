@@ -162,7 +162,9 @@ void StyleWalk::draw_destination() {
 
 uint32_t StyleWalk::copy_on(uint32_t most) {
     if (going_home_) return 0;
-    most = std::min(most, samples_left_ - std::min(samples_left_, last_path_));
+    // Whole motifs may end at a corner, which the last sample turns.
+    const uint32_t kept = std::max(last_path_, to_the_point_ ? 1U : 0U);
+    most = std::min(most, samples_left_ - std::min(samples_left_, kept));
     uint32_t copies = 0;
     if (cap_left_ > 0) {
         copies = std::min(most, cap_left_ - 1);
