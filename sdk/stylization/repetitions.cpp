@@ -101,10 +101,10 @@ Task<StyleJoint> next_joint(Pace& pace, const StyleBody& body, uint32_t last, do
 }
 
 // What a joint is compared with: the second one, so that phases keep, or the one before, where the style drifts.
-enum class Model : uint8_t { second, before };
+enum class JointModel : uint8_t { second, before };
 
 // From a first joint on. Fewer than three: nothing repeats.
-Task<void> follow_joints(Pace& pace, const StyleBody& body, uint32_t first, double period, Model model,
+Task<void> follow_joints(Pace& pace, const StyleBody& body, uint32_t first, double period, JointModel model,
                          std::pmr::vector<StyleJoint>& joints) {
     joints.clear();
     const auto whole = static_cast<uint32_t>(period), half = whole / 2;
@@ -114,7 +114,7 @@ Task<void> follow_joints(Pace& pace, const StyleBody& body, uint32_t first, doub
     joints.push_back({first, second.unlike});
     joints.push_back(second);
     for (;;) {
-        const uint32_t last = joints.back().node, like = model == Model::second ? second.node : last;
+        const uint32_t last = joints.back().node, like = model == JointModel::second ? second.node : last;
         const StyleJoint next = co_await next_joint(pace, body, last, period, like, half, half);
         if (!(next.unlike < joint_like_places)) co_return;
         joints.push_back(next);
@@ -159,7 +159,7 @@ Task<Buffer<uint32_t>> find_joints(Pace& pace, const PatchGraph& graph, const Di
     constexpr uint32_t starts = 4;
     for (uint32_t k = 0; k <= starts && period > 0 && joints.size() < 3; ++k) {
         co_await follow_joints(pace, body, body.begin + static_cast<uint32_t>(k * period / starts), period,
-                               Model::second, joints);
+                               JointModel::second, joints);
     }
     if (joints.size() < 3) joints.assign({{body.begin, 0}, {body.end - 1, 0}});
     Buffer<uint32_t> found(joints.size(), pace.memory());
@@ -175,7 +175,7 @@ Task<StyleCaps> caps_beside_repetitions(Pace& pace, const Displacement& displace
     if (quarter == 0) co_return caps;
     std::pmr::vector<StyleJoint> joints(pace.memory());
     for (uint32_t first = 0; first + 2 * period < all.end && joints.size() < 3; first += quarter) {
-        co_await follow_joints(pace, all, first, period, Model::before, joints);
+        co_await follow_joints(pace, all, first, period, JointModel::before, joints);
     }
     if (joints.size() < 3) co_return caps;
     const double odd = drop_odd_ends(joints, pace.memory());

@@ -264,7 +264,8 @@ TEST_F(Fitting, MotifsAreTheExamplesRepetitions) {
                 }
                 for (size_t i = 1; i < index.size(); ++i) {
                     const double leap = index[i] - index[i - 1] - 1;
-                    EXPECT_NEAR(std::remainder(leap / points, 1), 0, 0.1) << i;
+                    // Nodes lie a little otherwise on each wave.
+                    EXPECT_NEAR(std::remainder(leap / points, 1), 0, 0.2) << i;
                 }
             }
         }

@@ -54,10 +54,17 @@ TEST(Repetitions, PeriodsMayDiffer) {
 }
 
 TEST(Repetitions, WhatRepeatsNothingIsOne) {
-    // Each loop takes 1.6 times as long as the one before.
-    std::vector<double> phases;
-    for (int i = 0; i < 300; ++i) phases.push_back(std::log(1 + 0.05 * i) / std::log(1.6));
-    EXPECT_EQ(joints_of(loops(phases)), (std::vector<uint32_t>{0, 299}));
+    // From one random place to the next.
+    std::vector<Vec3> vectors;
+    for (uint32_t i = 0; i < 300; ++i) {
+        const double t = i % 10 / 10.0;
+        Vec3 at;
+        for (int k = 0; k < 3; ++k) {
+            at[k] = (1 - t) * random_unit(7, i / 10, k) + t * random_unit(7, i / 10 + 1, k);
+        }
+        vectors.push_back(at);
+    }
+    EXPECT_EQ(joints_of(vectors), (std::vector<uint32_t>{0, 299}));
 }
 
 TEST(Repetitions, CapsAreWhatIsOfAnotherKind) {
