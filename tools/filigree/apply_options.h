@@ -19,7 +19,7 @@ public:
     // `frames`: what --frame may be, said by `frame_help`. Lives as long as the program.
     void add_to(CLI::App& app, const std::map<std::string, FlgFrameMethod>& frames, const std::string& frame_help);
     void describe(Report& report) const;
-    // Refuses what does not go together (UsageError). `styles`: how many there are; `whole_motifs`: so are strokes made.
+    // Refuses what does not go together (UsageError). `styles`: how many there are; `whole_motifs`: strokes have them.
     void check_usage(size_t styles, bool whole_motifs) const;
     // Refuses curves that lack a column which drives (InputError), and where `by_hand`, what no hand has.
     void check_columns(const FlgCurveSetView& view, const std::string& subject, bool by_hand) const;

@@ -613,12 +613,12 @@ typedef struct FlgStyleDesc {
     /* Attributes to transfer, at most 8, each once; null: the shape alone. */
     const FlgStyleAttribute* attributes;
     /* Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a stroke's
-     * ends alone, metres along the example. Each open target begins with the one and ends with the other, once, as
-     * drawn: the guide goes on straight there, but for one of your own. No jump leads into a cap. A target too short for both gets both, smaller in all directions; closed
-     * targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0: found, as what comes
-     * before the first and after the last repetition of patches that are a sixteenth of the style's points long, or
-     * `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared twice for it). What is left
-     * must be long enough for two patches. Default 0. */
+     * ends alone, metres along the example. Open targets begin with the one and end with the other, once, as drawn: the
+     * guide goes on straight there, but for one of your own. No jump leads into a cap. Targets too short for both get
+     * them smaller in all directions; closed ones get none, live strokes the end cap when they end, if asked for. 0:
+     * none. Below 0: found, as what comes before the first and after the last repetition; where there is no period, of
+     * patches as long as a sixteenth of the style or `patch` (FlgStyleInfo says how long caps are; the style is made
+     * twice for it). What is left must be long enough for two patches. Default 0. */
     float start_cap, end_cap;
 } FlgStyleDesc;
 
