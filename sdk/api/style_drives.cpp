@@ -73,9 +73,22 @@ StyleDrives read_drives(const FlgStyleDrive* drives, uint32_t count) {
 }
 
 void check_style_drive(const StyleDrives& drives, uint32_t further_style_count) {
-    if (drives.drive(FLG_STYLE_DRIVEN_STYLE) == (further_style_count > 0)) return;
+    const bool chosen = drives.drive(FLG_STYLE_DRIVEN_STYLE);
+    if (chosen == (further_style_count > 0)) {
+        const auto last = static_cast<float>(further_style_count);
+        for (uint32_t k = 0; k < drives.list().size(); ++k) {
+            const FlgStyleDrive& drive = drives.list()[k];
+            if (drive.driven != FLG_STYLE_DRIVEN_STYLE) continue;
+            char allowed[64];
+            std::snprintf(allowed, sizeof allowed, "the number of a style, 0 to desc.further_style_count, %u",
+                          further_style_count);
+            if (drive.at_from > last) refuse(k, "at_from", drive.at_from, allowed);
+            if (drive.at_to > last) refuse(k, "at_to", drive.at_to, allowed);
+        }
+        return;
+    }
     throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.further_style_count is %u, but %s of desc.drives drives the style",
-                  further_style_count, further_style_count > 0 ? "none" : "one");
+                  further_style_count, chosen ? "one" : "none");
 }
 
 StyleArgument::StyleArgument(uint32_t k) {

@@ -23,7 +23,7 @@ void check_further_styles(const Desc& desc) {
                 "finite and at least 0");
 }
 
-// The style is driven where there are several, and nowhere else.
+// The style is driven where there are several, and nowhere else, and to numbers that they have.
 void check_style_drive(const StyleDrives& drives, uint32_t further_style_count);
 
 // What style k of a descriptor is called, in messages.

@@ -60,6 +60,12 @@ void check(const FlgCurveSetStylizeDesc& desc) {
                       "desc.exact_spacing is set, and desc.corners is %d: exact steps do not come to corners",
                       number_of(desc.corners));
     }
+    if (desc.corner_caps != 0 && desc.corners != FLG_STYLE_CORNERS_MOTIFS) {
+        throw Failure(
+            FLG_ERROR_INVALID_ARGUMENT,
+            "desc.corner_caps is set, and desc.corners is %d: only FLG_STYLE_CORNERS_MOTIFS has ends at corners",
+            number_of(desc.corners));
+    }
     check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_STYLE_START_");
 }
 

@@ -14,6 +14,7 @@
 #include "stylization/corner_fit.h"
 #include "stylization/junctions.h"
 #include "stylization/mitre.h"
+#include "stylization/repetitions.h"
 #include "stylization/stroke_fit.h"
 #include "stylization/synthesis.h"
 
@@ -53,9 +54,9 @@ struct Application {
     ChosenScales chosen;  // empty if the host has given one
     SynthesisInput input;
     bool from_start = false;  // the first stroke along each curve
-    bool whole_motifs = false;
-    bool joins = false;      // curves still change when all are stylized
-    double mitred_size = 0;  // of the style as it is drawn, metres, at scale 1 of the curve
+    Buffer<uint32_t> joints;  // of the style's motifs, if they are to be whole
+    bool joins = false;       // curves still change when all are stylized
+    double mitred_size = 0;   // of the style as it is drawn, metres, at scale 1 of the curve
     Column* style_index = nullptr;
     Column* displacement = nullptr;
     Column* time = nullptr;
@@ -123,6 +124,7 @@ Task<void> mitre(Pace& pace, const Application& application, uint32_t curve, uin
     co_await mitre_corners(pace, {.plan = plan,
                                   .magnitude = application.input.magnitude,
                                   .size = application.mitred_size * application.scale_of(curve),
+                                  .across = application.pieces.across_of(curve),
                                   .positions = frame_columns(application.sampling, out_curve).positions,
                                   .displacement = displacement ? displacement->values.data() + first : nullptr});
     const Sampling& sampling = application.sampling;
@@ -152,10 +154,9 @@ double start_time(const CurveSet& target, uint32_t curve) {
 }
 
 // Open curves get as many steps as caps and motifs ask for.
-Task<void> fit_strokes(Pace& pace, const PatchGraph& graph, double fit, Application& application) {
+Task<void> fit_strokes(Pace& pace, const PatchGraph& graph, Application& application) {
     Sampling& sampling = application.sampling;
     const bool by_corner = application.corner_fit.motifs && !application.pieces.empty();
-    application.whole_motifs = fit > 0;
     application.across = Buffer<float>(sampling.in.curve_count(), pace.memory());
     co_await each(pace, sampling.in.curve_count(), Cost::tens_of_ns, [&](uint32_t c) {
         SamplingPlan& plan = sampling.plans[c];
@@ -163,7 +164,8 @@ Task<void> fit_strokes(Pace& pace, const PatchGraph& graph, double fit, Applicat
         const bool by_piece = by_corner && !application.pieces.of(c).empty();
         if (plan.steps > 0 && !plan.curve.closed && !by_piece) {
             const StrokeCaps caps{graph.start_cap, graph.end_cap};
-            stroke = fit_stroke(graph, caps, plan.scaled_length / sampling.spacing_of(c), plan.steps, fit);
+            stroke = fit_stroke(graph, caps, application.corner_fit.stroke, plan.scaled_length / sampling.spacing_of(c),
+                                plan.steps);
         }
         // Exact steps of another length are none.
         if (stroke.steps != plan.steps) plan.exact_step = 0;
@@ -218,7 +220,7 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
                       .carried = pairs,
                       .steered = steered_points(application, c),
                       .across = application.across.empty() ? 1.0f : application.across[c],
-                      .whole_motifs = application.whole_motifs,
+                      .joints = {application.joints.data(), application.joints.size()},
                       .motifs_by_piece = application.corner_fit.motifs,
                       .corner_caps = application.corner_fit.caps,
                       .across_pieces = application.pieces.across_of(c)});
@@ -271,8 +273,10 @@ Task<void> stylize(Pace& pace, const StylizeRequest& request, Application& appli
     co_await measure_sampling(pace, application.sampling);
     const bool motifs_by_corner = desc.corners == FLG_STYLE_CORNERS_MOTIFS;
     const double fit = motifs_by_corner && desc.fit == 0 ? 1.0 : double{desc.fit};
-    application.corner_fit = {&prepared.graph, fit, motifs_by_corner, desc.corner_caps != 0};
-    if (prepared.graph.caps() > 0 || fit > 0) co_await fit_strokes(pace, prepared.graph, fit, application);
+    if (fit > 0) application.joints = co_await find_joints(pace, prepared.graph, prepared.displacement);
+    const std::span<const uint32_t> joints(application.joints.data(), application.joints.size());
+    application.corner_fit = {&prepared.graph, {joints, fit}, motifs_by_corner, desc.corner_caps != 0};
+    if (prepared.graph.caps() > 0 || fit > 0) co_await fit_strokes(pace, prepared.graph, application);
     if (!application.pieces.empty()) {
         co_await measure_pieces(pace, *request.target, application.sampling.step_scales, application.pieces);
         co_await fit_corners(pace, application);

@@ -127,7 +127,7 @@ Task<void> fit_pieces(Pace& pace, CornerFit fit, double spacing, std::span<Curve
             const bool starts = !closed && p == 0, ends = !closed && p + 1 == pieces.size();
             const StrokeCaps caps{starts || fit.caps ? fit.graph->start_cap : 0,
                                   ends || fit.caps ? fit.graph->end_cap : 0};
-            const StrokeFit stroke = fit_stroke(*fit.graph, caps, piece.length / spacing, whole_steps(own), fit.fit);
+            const StrokeFit stroke = fit_stroke(*fit.graph, caps, fit.stroke, piece.length / spacing, whole_steps(own));
             own = std::max<double>(stroke.steps, least);
             across[p] = stroke.across;
         } else if (!as_wanted) {

@@ -27,6 +27,10 @@ struct TargetPieces {
         if (across.empty()) return {};
         return {across.data() + offsets[curve], across.data() + offsets[curve + 1]};
     }
+    std::span<const float> across_of(uint32_t curve) const {
+        if (across.empty()) return {};
+        return {across.data() + offsets[curve], across.data() + offsets[curve + 1]};
+    }
 };
 
 // What corners of a target are.
@@ -44,7 +48,7 @@ Task<void> measure_pieces(Pace& pace, const CurveSet& target, const float* step_
 
 struct CornerFit {
     const PatchGraph* graph = nullptr;
-    double fit = 0;
+    StrokeMotifs stroke;
     bool motifs = false;  // whole ones from corner to corner
     bool caps = false;    // at corners too
 };

@@ -133,13 +133,20 @@ Task<void> copy_samples(Pace& pace, const LiveStroke& stroke, CurveSet& out) {
     const CurveSet::ColumnLayout layout[] = {{FLG_ATTRIBUTE_POSITION, 3},
                                              {FLG_ATTRIBUTE_ORIENTATION, 4},
                                              {FLG_ATTRIBUTE_PRESSURE, 1},
-                                             {FLG_ATTRIBUTE_TIME, 1}};
+                                             {FLG_ATTRIBUTE_TIME, 1},
+                                             {FLG_ATTRIBUTE_RADIUS, 1}};
     lay_out(out, count, {std::begin(layout), std::end(layout), pace.memory()});
     const LiveSamples& samples = stroke.samples();
     const float* columns[] = {samples.positions, samples.orientations, samples.pressures, samples.times};
     for (size_t k = 0; k < std::size(columns); ++k) {
         co_await copy(pace, columns[k], out.columns()[k].values.data(), size_t{count} * layout[k].components);
     }
+    // What the hand makes of it alone, so that what drives the radius finds one.
+    const LiveSettings& settings = stroke.settings();
+    co_await each(pace, count, Cost::some_ns, [&, radii = out.columns().back().values.data()](uint32_t i) {
+        radii[i] = static_cast<float>(settings.min_radius +
+                                      (settings.max_radius - settings.min_radius) * double{samples.pressures[i]});
+    });
     out.complete_curve(0);
 }
 

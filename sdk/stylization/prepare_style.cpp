@@ -7,6 +7,7 @@
 #include "core/failure.h"
 #include "runtime/each.h"
 #include "stylization/guide_matching.h"
+#include "stylization/repetitions.h"
 #include "stylization/smooth_style_curve.h"
 #include "stylization/style_caps.h"
 #include "stylization/style_curves.h"
@@ -43,11 +44,28 @@ Task<void> match_guides(Pace& pace, const StyleRequest& request, const StyleCurv
         co_await each(pace, count, Cost::some_ns, load);
         const std::pmr::vector<Vec3>& points = curves[c].points;
         const SmoothStyleCurve style(points.data(), static_cast<uint32_t>(points.size()), curves[c].measure.length);
-        const double farthest_step = matching_step_max * style.length() / (count - 1);
-        const GuideMatch match = co_await match_guide(pace, style, guide, request.desc.beta, farthest_step);
+        // Caps are as they are drawn: evenly along their straight guide.
+        const StyleCurve& curve = curves[c];
+        const uint32_t start = curve.nodes_of(curve.start_cap), end = curve.nodes_of(curve.end_cap);
+        const uint32_t body = count - start - end,
+                       body_points = style.count() - curve.start_cap.points - curve.end_cap.points;
+        const double start_length = curve.start_cap.points * style.spacing();
+        const double end_length = curve.end_cap.points * style.spacing();
+        const double body_length = style.length() - start_length - end_length;
+        const SmoothStyleCurve between(style.points() + curve.start_cap.points, body_points, body_length);
+        const double farthest_step = matching_step_max * body_length / (body - 1);
+        const GuideMatch match = co_await match_guide(pace, between, std::span(guide).subspan(start, body),
+                                                      request.desc.beta, farthest_step);
         energy += match.energy;
         co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
-            const double place = match.places[i];
+            double place = 0;
+            if (i < start) {
+                place = start_length * i / start;
+            } else if (i < start + body) {
+                place = start_length + match.places[i - start];
+            } else {
+                place = style.length() - end_length * (count - 1 - i) / end;
+            }
             matched.places[first + i] = place;
             prepared.matching[first + i] = static_cast<float>(place);
             matched.points[first + i] = style.evaluate(place).position;
@@ -80,49 +98,106 @@ bool has_body(const StyleScene& scene) {
     return false;
 }
 
-void check_body(const StyleScene& scene, const FlgStyleDesc& desc) {
+void check_body(const StyleScene& scene, const FlgStyleDesc& desc, double style_length) {
     if (has_body(scene)) return;
     throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                  "desc.start_cap and desc.end_cap are %g and %g m: what they leave of desc.style is too short for two "
-                  "patches",
-                  static_cast<double>(desc.start_cap), static_cast<double>(desc.end_cap));
+                  "desc.start_cap and desc.end_cap are %g and %g m: what they leave of desc.style, %g m long, is too "
+                  "short for two patches",
+                  static_cast<double>(desc.start_cap), static_cast<double>(desc.end_cap), style_length);
 }
 
-// Marks first; what is to be found takes the graph of all that is not marked.
-Task<void> set_caps(Pace& pace, const StyleRequest& request, double last_length, StyleScene& scene) {
-    const FlgStyleDesc& desc = request.desc;
-    const PreparedStyle& prepared = request.style->prepared;
-    const StyleCaps marked = marked_caps(scene.boundaries, {prepared.matching.data(), prepared.matching.size()},
-                                         last_length, desc.start_cap, desc.end_cap);
+// In the place of caps that are to be found: as metres of the example. `scene` has no caps.
+Task<FlgStyleDesc> find_marks(Pace& pace, const PreparedStyle& prepared, StyleScene scene, double last_length,
+                              FlgStyleDesc desc) {
+    const bool finds_start = desc.start_cap < 0, finds_end = desc.end_cap < 0;
+    desc.start_cap = std::max(desc.start_cap, 0.0f);
+    desc.end_cap = std::max(desc.end_cap, 0.0f);
+    StyleCaps found;
+    if (scene.curve_count() == 1) found = co_await caps_beside_repetitions(pace, prepared.displacement);
+    const Buffer<float>& matching = prepared.matching;
+    const StyleCaps marked = marked_caps(scene.boundaries, {matching.data(), matching.size()}, last_length,
+                                         double{desc.start_cap}, double{desc.end_cap});
     scene.start_cap = marked.start;
     scene.end_cap = marked.end;
-    check_body(scene, desc);
-    if (desc.start_cap >= 0 && desc.end_cap >= 0) co_return;
-    const StyleScene wide = wide_scene(scene);
-    if (!has_body(wide)) co_return;
-    const PatchGraph graph = co_await patch_graph(pace, wide);
-    const StyleCaps found = co_await find_caps(pace, graph, wide, prepared.displacement_rms);
-    if (desc.start_cap < 0) scene.start_cap = found.start;
-    if (desc.end_cap < 0) scene.end_cap = found.end;
-    if (has_body(scene)) co_return;
-    scene.start_cap = marked.start;
-    scene.end_cap = marked.end;
+    if (found.start + found.end == 0) {
+        const StyleScene wide = wide_scene(scene);
+        if (!has_body(wide)) co_return desc;
+        const PatchGraph graph = co_await patch_graph(pace, wide);
+        found = co_await find_caps(pace, graph, wide, prepared.displacement_rms);
+    }
+    StyleScene marks = scene;
+    if (finds_start) marks.start_cap = found.start;
+    if (finds_end) marks.end_cap = found.end;
+    if (!has_body(marks)) co_return desc;
+    if (finds_start && marks.start_cap > 0) desc.start_cap = matching[marks.start_cap];
+    if (finds_end && marks.end_cap > 0) {
+        desc.end_cap = static_cast<float>(last_length - double{matching[marks.node_count() - 1 - marks.end_cap]});
+    }
+    co_return desc;
 }
 
-Task<void> make_graph(Pace& pace, const StyleRequest& request, double last_length) {
-    PreparedStyle& prepared = request.style->prepared;
+Task<std::pmr::vector<PatchChannel>> channels_of(Pace& pace, const PreparedStyle& prepared) {
     std::pmr::vector<PatchChannel> channels(pace.memory());
     for (const StyleAttribute& attribute : prepared.attributes) {
         if (attribute.weight != 0) co_await add_channels(pace, attribute, channels);
     }
+    co_return channels;
+}
+
+// Without caps.
+StyleScene scene_of(const StyleRequest& request, std::span<const PatchChannel> channels) {
+    const PreparedStyle& prepared = request.style->prepared;
     const Buffer<uint32_t>& boundaries = prepared.guide->offsets();
-    StyleScene scene{.displacement = &prepared.displacement,
-                     .boundaries = {boundaries.data(), boundaries.size()},
-                     .patch = request.largest_patch(),
-                     .sizes = {request.patch_sizes.data(), request.desc.patch_size_count},
-                     .channels = channels};
-    co_await set_caps(pace, request, last_length, scene);
+    return {.displacement = &prepared.displacement,
+            .boundaries = {boundaries.data(), boundaries.size()},
+            .patch = request.largest_patch(),
+            .sizes = {request.patch_sizes.data(), request.desc.patch_size_count},
+            .channels = channels};
+}
+
+Task<void> make_graph(Pace& pace, const StyleRequest& request, double last_length) {
+    PreparedStyle& prepared = request.style->prepared;
+    const std::pmr::vector<PatchChannel> channels = co_await channels_of(pace, prepared);
+    StyleScene scene = scene_of(request, channels);
+    const StyleCaps caps = marked_caps(scene.boundaries, {prepared.matching.data(), prepared.matching.size()},
+                                       last_length, double{request.desc.start_cap}, double{request.desc.end_cap});
+    scene.start_cap = caps.start;
+    scene.end_cap = caps.end;
+    check_body(scene, request.desc, prepared.style_length);
     prepared.graph = co_await patch_graph(pace, scene);
+}
+
+// All but the graph. `parts`: of the progress, for each of three stages.
+Task<void> learn(Pace& pace, const StyleRequest& request, StyleCurves& curves, uint32_t count, uint64_t parts) {
+    PreparedStyle& prepared = request.style->prepared;
+    pace.stage("guide_flow");
+    prepared.flow_steps = co_await make_guides(pace, request, curves);
+    share_points(curves, count, request.largest_patch(), pace.memory());
+    prepared.guide =
+        std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<CurveSet>(pace.memory()), pace.memory());
+    prepared.guide->origin = request.example->origin;
+    co_await frame_guides(pace, curves, *prepared.guide);
+    prepared.style_length = prepared.guide_length = 0;
+    for (const StyleCurve& curve : curves) {
+        prepared.style_length += curve.measure.length;
+        prepared.guide_length += curve.guide_measure.length;
+    }
+    pace.advance(parts);
+
+    pace.stage("matching");
+    Matched matched(prepared.guide->point_count(), pace.memory());
+    co_await match_guides(pace, request, curves, matched);
+    prepared.attributes.clear();
+    co_await take_attributes(pace, request, matched);
+    pace.advance(parts);
+
+    pace.stage("displacement");
+    const auto& columns = prepared.guide->columns();
+    const GuideAndStyle input{columns[0].values.data(), columns[1].values.data(), columns[2].values.data(),
+                              matched.points};
+    prepared.displacement = Displacement(prepared.guide->point_count(), pace.memory());
+    prepared.displacement_rms = co_await displace(pace, input, prepared.displacement);
+    pace.advance(parts);
 }
 
 }  // namespace
@@ -146,37 +221,20 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
     if (count == 0) count = co_await choose_point_count(pace, curves);
     co_await sample_curves(pace, curves, count);
 
-    pace.stage("guide_flow");
     constexpr uint64_t progress_parts = 4;
     pace.expect(progress_parts);
-    prepared.flow_steps = co_await make_guides(pace, request, curves);
-    share_points(curves, count, request.largest_patch(), pace.memory());
-    prepared.guide =
-        std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<CurveSet>(pace.memory()), pace.memory());
-    prepared.guide->origin = request.example->origin;
-    co_await frame_guides(pace, curves, *prepared.guide);
-    for (const StyleCurve& curve : curves) {
-        prepared.style_length += curve.measure.length;
-        prepared.guide_length += curve.guide_measure.length;
+    const double last_length = curves.back().measure.length;
+    const bool finds_caps = request.desc.start_cap < 0 || request.desc.end_cap < 0;
+    if (finds_caps) {
+        // What is found bends no guide either: that is made once more.
+        co_await learn(pace, request, curves, count, 0);
+        const std::pmr::vector<PatchChannel> channels = co_await channels_of(pace, prepared);
+        request.desc = co_await find_marks(pace, prepared, scene_of(request, channels), last_length, request.desc);
     }
-    pace.advance(1);
-
-    pace.stage("matching");
-    Matched matched(prepared.guide->point_count(), pace.memory());
-    co_await match_guides(pace, request, curves, matched);
-    co_await take_attributes(pace, request, matched);
-    pace.advance(1);
-
-    pace.stage("displacement");
-    const auto& columns = prepared.guide->columns();
-    const GuideAndStyle input{columns[0].values.data(), columns[1].values.data(), columns[2].values.data(),
-                              matched.points};
-    prepared.displacement = Displacement(prepared.guide->point_count(), pace.memory());
-    prepared.displacement_rms = co_await displace(pace, input, prepared.displacement);
-    pace.advance(1);
+    co_await learn(pace, request, curves, count, 1);
 
     pace.stage("patch_graph");
-    co_await make_graph(pace, request, curves.back().measure.length);
+    co_await make_graph(pace, request, last_length);
     double sum = 0;
     co_await each(pace, prepared.point_count(), Cost::some_ns,
                   [&](uint32_t point) { sum += prepared.squared_bend(point); });

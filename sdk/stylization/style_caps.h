@@ -2,6 +2,7 @@
 // A style's caps: the points at its start and at its end that strokes begin and end with, and never repeat. They are
 // given as lengths of the example, or found: what comes before the first and after the last repetition. That is so
 // many points in a row as a patch has, each of them in the middle of a patch that has a like one elsewhere.
+// Where the style has a period, caps_beside_repetitions() knows better.
 //
 // For that, patches are wide: a flourish that goes to and fro must not count as its own repetition. Like are patches
 // whose distance is below a tenth of what two unrelated ones have, or below twice the median of the patches' distances

@@ -74,19 +74,81 @@ Task<void> move_guide(Pace& pace, const StyleRequest& request, StyleCurve& curve
     curve.guide.positions = curve.placed.data();
 }
 
+// What is marked of it, unless too little is left.
+void mark_caps(const FlgStyleDesc& desc, bool first, bool last, StyleCurve& curve) {
+    const auto points = [&](bool own, double metres) {
+        return own && metres > 0 ? std::ceil(std::min(metres, curve.measure.length) / curve.point_spacing()) : 0.0;
+    };
+    const double start = points(first, double{desc.start_cap}), end = points(last, double{desc.end_cap});
+    curve.start_cap = curve.end_cap = {};
+    if (start + end + samples_min > static_cast<double>(curve.points.size())) return;
+    curve.start_cap.points = static_cast<uint32_t>(start);
+    curve.end_cap.points = static_cast<uint32_t>(end);
+}
+
+// How the guide goes on at one of its ends.
+struct StraightEnd {
+    Vec3 from = Vec3::Zero(), step = Vec3::Zero();
+    uint32_t steps = 0;
+
+    // `cap`: the cap's points. `body`: those of its guide, from that end on. `share`: length of the guide in that of
+    // the example.
+    static Task<StraightEnd> at(Pace& pace, std::span<const Vec3> cap, const auto& body, uint32_t count, double share,
+                                double cap_length) {
+        constexpr uint32_t spans = 8;  // the direction is taken over one of so many, since the flow bends the ends
+        constexpr double least_share = 0.7;
+        const uint32_t over = std::max(count / spans, 1U);
+        const Vec3 direction = (body(0) - body(over)).normalized();
+        double reach = least_share * std::min(share, 1.0) * cap_length;
+        co_await each(pace, cap.size(), Cost::some_ns,
+                      [&](uint32_t i) { reach = std::max(reach, direction.dot(cap[i] - body(0))); });
+        const double spacing = (body(0) - body(over)).norm() / over;
+        StraightEnd end;
+        end.from = body(0);
+        end.steps = static_cast<uint32_t>(std::clamp(std::ceil(reach / spacing), 1.0, double{style_points_max}));
+        end.step = reach / end.steps * direction;
+        co_return end;
+    }
+    double length() const { return steps * step.norm(); }
+};
+
 // The guide flow's result, in the floats that a curve set holds.
 Task<uint32_t> flow_guide(Pace& pace, const StyleRequest& request, StyleCurve& curve) {
     const auto count = static_cast<uint32_t>(curve.points.size());
     GuideFlowParams params;
     params.alpha = request.desc.alpha;
     params.smoothing = request.desc.smoothing;
-    const FlowedGuide guide = co_await guide_flow(pace, curve.points, params);
-    curve.placed = Buffer<float>(size_t{count} * 3, pace.memory());
-    const auto store = [from = guide.points.data(), to = curve.placed.data()](uint32_t i) {
-        store_vec3(from[i], to + size_t{i} * 3);
-    };
-    co_await each(pace, count, Cost::some_ns, store);
-    curve.guide = {curve.placed.data(), count, false};
+    const std::span<const Vec3> all = curve.points;
+    const uint32_t first = curve.start_cap.points, behind = curve.end_cap.points, body = count - first - behind;
+    const FlowedGuide guide = co_await guide_flow(pace, all.subspan(first, body), params);
+    const double share = guide.length / (curve.point_spacing() * (body - 1));
+    StraightEnd start, end;
+    if (first > 0) {
+        start = co_await StraightEnd::at(
+            pace, all.first(first), [&](uint32_t i) { return guide.points[i]; }, body, share,
+            first * curve.point_spacing());
+    }
+    if (behind > 0) {
+        end = co_await StraightEnd::at(
+            pace, all.last(behind), [&](uint32_t i) { return guide.points[body - 1 - i]; }, body, share,
+            behind * curve.point_spacing());
+    }
+    curve.start_cap.guide_length = start.length();
+    curve.end_cap.guide_length = end.length();
+    const uint32_t placed = start.steps + body + end.steps;
+    curve.placed = Buffer<float>(size_t{placed} * 3, pace.memory());
+    co_await each(pace, placed, Cost::some_ns, [&, to = curve.placed.data()](uint32_t i) {
+        Vec3 point;
+        if (i < start.steps) {
+            point = start.from + (start.steps - i) * start.step;
+        } else if (i < start.steps + body) {
+            point = guide.points[i - start.steps];
+        } else {
+            point = end.from + (i + 1 - start.steps - body) * end.step;
+        }
+        store_vec3(point, to + size_t{i} * 3);
+    });
+    curve.guide = {curve.placed.data(), placed, false};
     co_return guide.steps;
 }
 
@@ -146,6 +208,7 @@ Task<uint32_t> make_guides(Pace& pace, const StyleRequest& request, StyleCurves&
     uint32_t steps = 0;
     for (StyleCurve& curve : curves) {
         if (request.guide) continue;
+        mark_caps(request.desc, &curve == &curves.front(), &curve == &curves.back(), curve);
         steps += co_await flow_guide(pace, request, curve);
         curve.guide_measure = co_await measure_curve(pace, curve.guide);
         co_await pace;

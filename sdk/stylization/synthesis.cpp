@@ -81,11 +81,16 @@ void StyleWalk::end_with_cap() {
     lead_home(graph.node_count - 1, graph.end_cap, run_in);
 }
 
-void StyleWalk::take_motifs() {
-    const PatchGraph& graph = trees_->graph();
-    if (cap_left_ == 0) node_ = graph.start();
-    motif_end_ = graph.motif_end();
-    if (last_path_ == 0) lead_home(motif_end_ - 1, 0, std::min(last_path_max, motif_end_ - 1 - graph.start()));
+void StyleWalk::take_motifs(std::span<const uint32_t> joints) {
+    motif_ = joints.front();
+    motif_end_ = joints.back() + 1;
+    if (cap_left_ == 0) node_ = motif_;
+    if (joints.size() > 2) {
+        to_the_point_ = true;
+        if (last_path_ > 0) last_path_ = steps_behind(trees_->graph(), joints);
+    } else if (last_path_ == 0) {
+        lead_home(motif_end_ - 1, 0, std::min(last_path_max, motif_end_ - 1 - motif_));
+    }
 }
 
 void StyleWalk::lead_home(uint32_t node, uint32_t cap, uint32_t run_in) {
@@ -130,7 +135,7 @@ uint32_t StyleWalk::copies_before_last_jump(uint32_t points, uint32_t blended,
 [[gnu::noinline]] void StyleWalk::go_home(uint32_t steps, std::span<const Vec3> displacement, SeamBlend& blend) {
     const PatchGraph& graph = trees_->graph();
     const uint32_t points = std::min(last_blend_patches * graph.patch, steps);
-    copies_ = copies_before_last_jump(points, blend.points_left(), displacement);
+    copies_ = to_the_point_ ? 0 : copies_before_last_jump(points, blend.points_left(), displacement);
     going_home_ = true;
     blend.cross_fade(points, displacement, {graph.curve_end.data(), graph.curve_end.size()});
 }
@@ -157,7 +162,9 @@ void StyleWalk::draw_destination() {
 
 uint32_t StyleWalk::copy_on(uint32_t most) {
     if (going_home_) return 0;
-    most = std::min(most, samples_left_ - std::min(samples_left_, last_path_));
+    // Whole motifs may end at a corner, which the last sample turns.
+    const uint32_t kept = std::max(last_path_, to_the_point_ ? 1U : 0U);
+    most = std::min(most, samples_left_ - std::min(samples_left_, kept));
     uint32_t copies = 0;
     if (cap_left_ > 0) {
         copies = std::min(most, cap_left_ - 1);
@@ -189,7 +196,10 @@ bool StyleWalk::advance(bool hot) {
         return true;
     }
     if (motif_end_ > 0) {
-        node_ = node_ + 2 == motif_end_ ? trees_->graph().start() : node_ + 1;
+        // What comes behind the motifs goes on from their last node, not from the first, which is like it.
+        const bool goes_on = to_the_point_ && samples_left_ - 1 == last_path_;
+        const bool over = node_ + 2 == motif_end_ && !goes_on;
+        node_ = over ? motif_ : node_ + 1;
         --samples_left_;
         return true;
     }
@@ -247,7 +257,7 @@ void SynthesisKernel::begin_walk() {
     } else if (plan.steps > 0) {
         walk_.begin_with_cap();
         walk_.end_with_cap();
-        if (stroke_.whole_motifs) walk_.take_motifs();
+        if (!stroke_.joints.empty()) walk_.take_motifs(stroke_.joints);
     }
 }
 
@@ -265,7 +275,7 @@ void SynthesisKernel::begin_piece(uint32_t piece) {
     walk_ = StyleWalk(input_.trees, true, input_.seed, stroke_.key, walk_steps() + 1);
     if (stroke_.corner_caps || (!closed && piece == 0)) walk_.begin_with_cap();
     if (stroke_.corner_caps || (!closed && piece + 1 == stroke_.plan.pieces.size())) walk_.end_with_cap();
-    walk_.take_motifs();
+    walk_.take_motifs(stroke_.joints);
 }
 
 bool SynthesisKernel::turns_corner() const {

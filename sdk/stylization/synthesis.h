@@ -47,9 +47,9 @@ public:
     // style has them.
     void begin_with_cap();
     void end_with_cap();
-    // Likewise: whole motifs from the style's start on, one behind the other, the last one to its end, and into the cap
-    // if it ends with it.
-    void take_motifs();
+    // Likewise: whole repetitions from the first joint on, one behind the other, the last one to its end, and into the
+    // cap if it ends with it. The number of samples is that of fit_stroke().
+    void take_motifs(std::span<const uint32_t> joints);
 
     uint32_t node() const { return node_; }
     uint32_t samples_left() const { return samples_left_; }
@@ -91,7 +91,9 @@ private:
     uint32_t samples_left_ = 0;  // after node()
     uint32_t cap_left_ = 0;      // steps to come of the start cap, the last one to where the walk then begins
     uint32_t begins_ = 0;        // there
-    uint32_t motif_end_ = 0;     // one behind the last node of a motif; 0: none are taken
+    uint32_t motif_ = 0;         // the first node of the motifs
+    uint32_t motif_end_ = 0;     // one behind their last one; 0: none are taken
+    bool to_the_point_ = false;  // the last path jumps at once
     uint32_t home_ = 0;          // of a closed curve: where it began; of one with a given end: that
     uint32_t cap_ = 0;           // samples of the end cap
     uint32_t last_path_ = 0;     // its samples, the first one behind its start and the last one home; 0: no home
@@ -116,12 +118,12 @@ struct StrokeInput {
     double scale = 1;   // of the style as it is applied; in the plan's spacing already
     uint64_t key = 0;   // of its random choices
     bool from_start = false;
-    double start_time = 0;                // seconds; for styles with SPEED
-    StylizedColumns out;                  // outlive the run
-    std::span<const ColumnPair> carried;  // the same
-    const Steered* steered = nullptr;     // at the curve's points
-    float across = 1;                     // factor on the style's size beside its steps
-    bool whole_motifs = false;
+    double start_time = 0;                   // seconds; for styles with SPEED
+    StylizedColumns out;                     // outlive the run
+    std::span<const ColumnPair> carried;     // the same
+    const Steered* steered = nullptr;        // at the curve's points
+    float across = 1;                        // factor on the style's size beside its steps
+    std::span<const uint32_t> joints{};      // of the style's motifs, if they are to be whole
     bool motifs_by_piece = false;            // from corner to corner, if the plan has pieces
     bool corner_caps = false;                // there too
     std::span<const float> across_pieces{};  // as `across`, of each piece; none: 1

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ends of stylized strokes: caps, whole motifs, targets too short for either.
+#include <array>
+
 #include "api/live_inputs.h"
 #include "api/style_inputs.h"
 
@@ -15,6 +17,38 @@ Curves flourished(double front = 1, double back = 1) {
         const double in_front = x < 1 ? front * std::pow(std::sin(M_PI * x), 2) : 0;
         const double behind = x > 9 ? back * std::pow(std::sin(M_PI * x), 2) : 0;
         curves.add_point(x, wave + 0.25 * in_front, 0.25 * behind);
+    }
+    curves.end_curve();
+    return curves;
+}
+
+// Waves each of which is 1.6 times as long as the one before: nothing repeats.
+Curves chirp() {
+    Curves curves;
+    for (uint32_t i = 0; i <= 1000; ++i) {
+        const double x = 0.01 * i;
+        curves.add_point(x, 0.1 * std::sin(2 * M_PI * std::log(1 + x) / std::log(1.6)), 0);
+    }
+    curves.end_curve();
+    return curves;
+}
+
+// So many round loops along x, then an arrow's head: two barbs about a tip.
+Curves arrow(uint32_t loops, bool with_head) {
+    Curves curves;
+    const double length = 0.1 * loops;
+    for (uint32_t i = 0; i <= 60 * loops; ++i) {
+        const double turn = 2 * M_PI * i / 60;
+        curves.add_point(length * i / (60 * loops) + 0.04 * std::sin(turn), 0.04 * std::cos(turn), 0);
+    }
+    const std::array<std::array<double, 2>, 4> head = {
+        {{length, 0.04}, {length + 0.2, 0.04}, {length + 0.1, 0.12}, {length + 0.2, 0.04}}};
+    for (size_t k = 0; with_head && k + 1 < head.size(); ++k) {
+        for (int i = 1; i <= 20; ++i) {
+            const double t = i / 20.0;
+            curves.add_point(head[k][0] + t * (head[k + 1][0] - head[k][0]),
+                             head[k][1] + t * (head[k + 1][1] - head[k][1]), 0);
+        }
     }
     curves.end_curve();
     return curves;
@@ -39,9 +73,10 @@ Curves line(double length) {
 
 class Fitting : public testing::Test {
 protected:
-    void learn(float start_cap, float end_cap) {
+    void learn(float start_cap, float end_cap) { learn(flourished(), start_cap, end_cap); }
+    void learn(Curves example, float start_cap, float end_cap) {
         FlgStyleDesc style = flgStyleDefaults();
-        style.style = host.create(flourished());
+        style.style = host.create(std::move(example));
         style.guide = host.create(axis());
         style.start_cap = start_cap;
         style.end_cap = end_cap;
@@ -184,8 +219,9 @@ TEST_F(Fitting, EachCurveIsFittedInItsOwnSize) {
     }
 }
 
+// Of an example that repeats nothing.
 TEST_F(Fitting, FitChoosesBetweenStretchingAndCopying) {
-    learn(1.2f, 0.8f);
+    learn(chirp(), 1.2f, 0.8f);
     const double motif = info.point_count - info.start_cap_points - info.end_cap_points - 1;
     const double caps = info.start_cap_points + info.end_cap_points;
     for (const double motifs : {0.8, 1.3, 2.4}) {
@@ -202,6 +238,84 @@ TEST_F(Fitting, FitChoosesBetweenStretchingAndCopying) {
             EXPECT_LE(jumps, static_cast<size_t>(whole - 1 + (fit < 1 ? 2 : 0)));
         }
     }
+}
+
+// A chain ends with a link: as many as come nearest, whatever `fit`, and no jump inside of one.
+TEST_F(Fitting, MotifsAreTheExamplesRepetitions) {
+    const double wave = 0.25;
+    for (const bool capped : {false, true}) {
+        if (capped) {
+            learn(1.0f, 1.0f);
+        } else {
+            learn(flourished(0, 0), 0, 0);
+        }
+        const double caps = info.start_cap_points + info.end_cap_points;
+        for (const float fit : {0.02f, 0.5f, 1.0f}) {
+            desc.fit = fit;
+            for (const double length : {3.1, 4.3, 12.4, 31.0}) {
+                SCOPED_TRACE(testing::Message() << length << " m, fit " << fit << (capped ? ", capped" : ""));
+                const std::vector<float> index = indices(length);
+                const double steps = static_cast<double>(index.size()) - 1, points = wave / info.spacing;
+                EXPECT_NEAR(steps * info.spacing, length, 0.6 * wave);
+                if (capped) {
+                    expect_caps(index);
+                } else {
+                    EXPECT_NEAR(std::remainder((steps - caps) / points, 1), 0, 0.1);
+                }
+                for (size_t i = 1; i < index.size(); ++i) {
+                    const double leap = index[i] - index[i - 1] - 1;
+                    // Nodes lie a little otherwise on each wave.
+                    EXPECT_NEAR(std::remainder(leap / points, 1), 0, 0.2) << i;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(Fitting, EqualSidesHaveEqualMotifs) {
+    learn(flourished(0, 0), 0, 0);
+    desc.corners = FLG_STYLE_CORNERS_MOTIFS;
+    Curves square;
+    for (const auto& p : {std::array{0.0, 0.0}, {3.1, 0.0}, {3.1, 3.1}, {0.0, 3.1}}) square.add_point(p[0], p[1], 0);
+    square.end_curve(FLG_CURVE_CLOSED);
+    const Heard heard = along(square);
+    const auto& index = heard.of(FLG_ATTRIBUTE_STYLE_INDEX);
+    const size_t side = index.size() / 4;
+    ASSERT_EQ(index.size() % 4, 0u);
+    EXPECT_NEAR(static_cast<double>(side) * info.spacing, 3.1, 0.13);
+    for (size_t i = 0; i < index.size(); ++i) ASSERT_EQ(index[i], index[i % side]) << i;
+}
+
+// What is marked as a cap doesn't bend the guide of the rest, and is copied as it is drawn.
+TEST_F(Fitting, CapsAreDrawnOverAStraightGuide) {
+    FlgStyleDesc style = flgStyleDefaults();
+    const double head = 0.2 + 2 * std::hypot(0.1, 0.08);
+    style.style = host.create(arrow(10, true));
+    style.end_cap = static_cast<float>(head);
+    desc.style = prepare(host, style);
+    info = style_info(host, desc.style);
+    FlgCurveSet guide{};
+    ASSERT_EQ(flgStyleGetGuide(host.context, desc.style, &guide), FLG_OK);
+    const Heard nodes = heard_of(host.view_of(guide));
+    const auto& at = nodes.of(FLG_ATTRIBUTE_POSITION);
+    // Its direction along the last loops and the head is the axis'.
+    for (size_t i = nodes.points() / 2; i + 1 < nodes.points(); ++i) {
+        const double x = at[3 * i + 3] - at[3 * i], y = at[3 * i + 4] - at[3 * i + 1];
+        EXPECT_LT(std::abs(y), 0.2 * x) << i;
+    }
+    desc.keep_displacement = 1;
+    const Heard along_line = along(line(2));
+    expect_caps(along_line.of(FLG_ATTRIBUTE_STYLE_INDEX));
+    // The tip and the far end of the barb, as far apart as they are drawn.
+    const auto& p = along_line.of(FLG_ATTRIBUTE_POSITION);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (size_t i = along_line.points() - info.end_cap_points; i < along_line.points(); ++i) {
+        const double across = std::hypot(p[3 * i + 1], p[3 * i + 2]);
+        low = std::min(low, across);
+        high = std::max(high, across);
+    }
+    EXPECT_NEAR(high, 0.12, 0.02);
+    EXPECT_LT(low, 0.05);
 }
 
 // Smaller in all directions, as long as the target is.
@@ -306,7 +420,7 @@ TEST_F(Fitting, Refusals) {
     FlgStyleDesc style = flgStyleDefaults();
     style.style = host.create(flourished());
     style.start_cap = style.end_cap = 12;
-    expect_failing_job(host, style, FLG_ERROR_INVALID_ARGUMENT, "too short for two patches");
+    expect_failing_job(host, style, FLG_ERROR_INVALID_ARGUMENT, "m long, is too short for two patches");
     style.start_cap = NAN;
     FlgStyle none{};
     expect_failure(flgStyleCreate(host.context, &style, &none, nullptr), FLG_ERROR_INVALID_ARGUMENT, "desc.start_cap");

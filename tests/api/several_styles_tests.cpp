@@ -214,6 +214,14 @@ TEST_F(SeveralStyles, Refusals) {
     desc.drive_count = 2;
     expect_refused("desc.drives[1] drives the style");
     desc.drive_count = 1;
+    FlgStyleDrive beyond = choice;
+    desc.drives = &beyond;
+    beyond.at_to = 4;
+    expect_refused("desc.drives[0].at_to is 4, must be the number of a style, 0 to desc.further_style_count, 1");
+    beyond = choice;
+    beyond.at_from = 1.5f;
+    expect_refused("desc.drives[0].at_from");
+    desc.drives = twice;
     desc.further_styles = nullptr;
     expect_refused("desc.further_styles");
     const FlgStyle other = learn(0.2, 300, true);

@@ -290,13 +290,18 @@ TEST(LiveSteering, LiveIsBatch) {
         desc.scale = host.live.scale;
         desc.exact_spacing = 1;
         desc.drives = hand_drives.data();
-        desc.drive_count = 3;  // samples have no RADIUS
+        desc.drive_count = static_cast<uint32_t>(hand_drives.size());
         const Heard batch = heard_of(host.view_of(stylize(host, desc)));
         const Heard live = heard_of(host.view_of(ended.stylized));
         ASSERT_GT(live.points(), 50u);
         for (const FlgAttribute attribute :
              {FLG_ATTRIBUTE_STYLE_INDEX, FLG_ATTRIBUTE_POSITION, FLG_ATTRIBUTE_TANGENT, FLG_ATTRIBUTE_NORMAL}) {
             EXPECT_TRUE(live.of(attribute) == batch.of(attribute)) << attribute;
+        }
+        // Samples have the hand's radii; in between, a stroke has those of its pressure, a batch goes evenly.
+        for (size_t i = 0; i < live.points(); ++i) {
+            const float radius = live.of(FLG_ATTRIBUTE_RADIUS)[i];
+            EXPECT_NEAR(radius, batch.of(FLG_ATTRIBUTE_RADIUS)[i], 0.03 * radius) << i;
         }
         EXPECT_TRUE(live == host.replay(host.live, ended.samples));
     }

@@ -89,7 +89,7 @@ void RandomHost::stylize() {
     if (chance(3)) desc.fit = number(0, 1);
     desc.corners = choice<FlgStyleCorners>(3);
     if (chance(3)) desc.corner_angle = number(0.1f, 3);
-    desc.corner_caps = chance(3);
+    desc.corner_caps = desc.corners == FLG_STYLE_CORNERS_MOTIFS && chance(3);
     desc.smooth_junctions = chance(3);
     const FlgStyleDrive drive = {
         choice<FlgAttribute>(14), choice<FlgStyleDriven>(5), number(-1, 1), number(-1, 1), number(0, 2), number(0, 2)};

@@ -96,6 +96,28 @@ TEST_F(Replay, SeveralStylesAreChosenAmong) {
     const std::string mixed = folder.read("out.xyz");
     done(with("1:1"));
     EXPECT_NE(folder.read("out.xyz"), mixed);
+    expect_refused(with("0:2"), 2, {"--drive pressure=style:0:2", "0 to 1"});
+}
+
+TEST_F(Replay, WhatHasNoEffectIsRefused) {
+    folder.write("stroke.xyz", stroke());
+    const auto refused = [&](const std::vector<std::string>& more, int status, const std::vector<std::string>& words) {
+        std::vector<std::string> all = {"replay", "stroke.xyz", "--style", "builtin:loops", "-o", "out.xyz", "--fast"};
+        all.insert(all.end(), more.begin(), more.end());
+        expect_refused(all, status, words);
+    };
+    refused({"--drive", "pressure=magnitude:0:1"}, 1, {"stroke.xyz: --drive pressure=magnitude:0:1", "no such column"});
+    refused({"--drive", "speed=magnitude:0:1"}, 1, {"--drive speed=magnitude:0:1", "no times"});
+    refused({"--drive", "radius=magnitude:0:1"}, 2, {"--drive radius=magnitude:0:1", "hand"});
+    refused({"--end-cap"}, 2, {"--end-cap", "--caps"});
+    refused({"--style-blend", "1"}, 2, {"--style-blend"});
+}
+
+TEST_F(Replay, PressuresBeyondTheHandsAreSaid) {
+    folder.write("stroke.xyz", "# columns x y z pressure\n0 0 0 0.5\n1 0 0 1.5\n2 0 0 -1\n3 0 0 1\n");
+    const Outcome outcome = done({"replay", "stroke.xyz", "--style", "builtin:loops", "--scale", "0.1", "--max-jump",
+                                  "2", "-o", "out.xyz", "--fast"});
+    EXPECT_NE(outcome.err.find("2 pressures below 0 or above 1"), std::string::npos);
 }
 
 TEST_F(Replay, BreaksStrokesAtJumps) {

@@ -527,7 +527,9 @@ TEST_F(Stylize, ColumnsOfTheTargetSteerTheStyle) {
                               "pressure:1=scale:1:2", "pressure=scale:a:2", "=", ""}) {
         expect_refused(with({"--drive", wrong}), 2, {"--drive"});
     }
-    expect_refused(with({"--drive", "width=scale:1:2"}), 1, {"desc.drives[0].attribute"});
+    expect_refused(with({"--drive", "width=scale:1:2"}), 1, {"--drive width=scale:1:2", "no such column"});
+    expect_refused(with({"--drive", "speed=scale:1:2"}), 1, {"--drive speed=scale:1:2", "no times"});
+    expect_refused(with({"--drive", "pressure=scale:0:2"}), 1, {"--drive pressure=scale:0:2: A is 0", "above 0"});
 }
 
 TEST_F(Stylize, EndsAreFittedToTheTarget) {
@@ -552,6 +554,22 @@ TEST_F(Stylize, EndsAreFittedToTheTarget) {
     expect_refused(
         {"stylize", "--style", "builtin:zigzag", "--target", "builtin:flourish", "-o", "a.xyz", "--fit", "2"}, 2,
         {"--fit"});
+    // What has no effect together.
+    const auto refused = [&](const std::vector<std::string>& more, int status, const std::vector<std::string>& words) {
+        std::vector<std::string> all = {"stylize", "--style", "builtin:zigzag", "--target", "builtin:flourish",
+                                        "-o",      "a.xyz",   "--fit",          "1"};
+        all.insert(all.end(), more.begin(), more.end());
+        expect_refused(all, status, words);
+    };
+    refused({"--tau", "1"}, 2, {"--tau"});
+    refused({"--start", "random"}, 2, {"--start"});
+    refused({"--strokes", "3"}, 2, {"--strokes"});
+    refused({"--closed"}, 2, {"--fit", "--closed"});
+    expect_refused({"stylize", "--style", "builtin:zigzag", "--target", "builtin:ring", "-o", "a.xyz", "--fit", "1"}, 1,
+                   {"--fit", "closed"});
+    expect_refused(
+        {"stylize", "--style", "builtin:zigzag", "--target", "builtin:flourish", "-o", "a.xyz", "--caps", "50:50"}, 1,
+        {"--caps gives 50 and 50 m", "the example, ", " m long"});
 }
 
 constexpr const char* kSquare = "# closed\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n";
@@ -581,6 +599,10 @@ TEST_F(Stylize, CornersAreMitredOrGetMotifs) {
     done(with({"--corners", "motif", "--corner-caps", "--caps", "0.1:0.2"}));
     EXPECT_EQ(report().at("parameters").at("corner_caps"), true);
     expect_refused(with({"--corners", "round"}), 2, {"--corners"});
+    expect_refused(with({"--corners", "mitre", "--corner-caps", "--caps", "0.1:0.2"}), 2, {"--corner-caps"});
+    expect_refused(with({"--corners", "motif", "--corner-caps"}), 2, {"--corner-caps", "--caps"});
+    expect_refused(with({"--corner-angle", "40"}), 2, {"--corner-angle", "--corners"});
+    expect_refused(with({"--corners", "motif", "--tau", "1"}), 2, {"--tau"});
     expect_refused(with({"--corner-angle", "180"}), 2, {"--corner-angle"});
     expect_refused(with({"--smooth-junctions"}), 2, {"--smooth-junctions"});
 }
@@ -613,7 +635,18 @@ TEST_F(Stylize, SeveralStylesAreChosenAmong) {
     const std::string mixed = folder.read("out.xyz");
     done(with({"--style", "builtin:zigzag", "--drive", "pressure=style:0:0"}));
     EXPECT_NE(folder.read("out.xyz"), mixed);
-    expect_refused(with({"--style", "builtin:zigzag"}), 1, {"drives the style"});
+    expect_refused(with({"--style", "builtin:zigzag"}), 2, {"--style", "no --drive"});
+    expect_refused(with({"--drive", "pressure=style:0:1"}), 2, {"--drive pressure=style:0:1", "one --style"});
+    const std::vector<std::string> two = {"--style", "builtin:zigzag", "--drive"};
+    const auto choosing = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = two;
+        all.insert(all.end(), more.begin(), more.end());
+        return with(all);
+    };
+    expect_refused(choosing({"pressure=style:0:2"}), 2, {"--drive pressure=style:0:2", "0 to 1"});
+    expect_refused(choosing({"pressure=style:0:1", "--save-guide", "g.xyz"}), 2, {"--save-guide"});
+    expect_refused(choosing({"pressure=style:0:1", "--save-matching", "m.txt"}), 2, {"--save-matching"});
+    expect_refused(with({"--style-blend", "1"}), 2, {"--style-blend", "one --style"});
     expect_refused(with({"--style", "builtin:zigzag", "--style-file", "s.flg"}), 2, {"--style-file"});
     expect_refused(with({"--style-blend", "-1"}), 2, {"--style-blend"});
 }

@@ -19,6 +19,12 @@ public:
     // `frames`: what --frame may be, said by `frame_help`. Lives as long as the program.
     void add_to(CLI::App& app, const std::map<std::string, FlgFrameMethod>& frames, const std::string& frame_help);
     void describe(Report& report) const;
+    // Refuses what does not go together (UsageError). `styles`: how many there are; `whole_motifs`: strokes have them.
+    void check_usage(size_t styles, bool whole_motifs) const;
+    // Refuses curves that lack a column which drives (InputError), and where `by_hand`, what no hand has.
+    void check_columns(const FlgCurveSetView& view, const std::string& subject, bool by_hand) const;
+    // Of drives, as they were given.
+    const std::vector<std::string>& drives_said() const { return drives_said_; }
 
     // Along the curves: the same twice, unless it is driven.
     std::array<float, 2> temperatures() const;
@@ -47,6 +53,9 @@ private:
     std::vector<FlgStyleDrive> drives_;
     std::vector<std::string> drives_said_;
     const std::map<std::string, FlgFrameMethod>* frames_ = nullptr;
+    // Nothing where motifs are whole.
+    const CLI::Option* tau_ = nullptr;
+    const CLI::Option* start_option_ = nullptr;
 };
 
 }  // namespace flg::cli

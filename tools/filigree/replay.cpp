@@ -22,6 +22,7 @@
 #include "documents/text_file.h"
 #include "filigree/filigree_live.h"
 #include "joined_curves.h"
+#include "option_names.h"
 #include "style_options.h"
 #include "stylize_output.h"
 #include "support/brush_shape.h"
@@ -56,6 +57,7 @@ struct Options {
     FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
     std::optional<float> min_radius, max_radius;
     SurfaceOptions surface;
+    const CLI::Option* style_blend_option = nullptr;
 };
 
 // One of the recorded strokes, as a hand would draw it.
@@ -295,19 +297,47 @@ void describe(const Options& options, Report& report) {
     options.surface.describe(report);
 }
 
+void check_usage(const Options& options) {
+    options.style.check_usage();
+    options.apply.check_usage(options.style.count(), false);
+    if (options.live.end_cap != 0 && !options.style.may_have_end_cap()) {
+        throw UsageError("--end-cap: --caps says what the style's end cap is");
+    }
+    if (options.style.count() == 1 && options.style_blend_option->count() > 0) {
+        throw UsageError("--style-blend: there is one --style");
+    }
+    if (options.style.count() > 1 && !options.save_guide.empty()) {
+        throw UsageError("--save-guide: is of one style, not of several");
+    }
+}
+
+// Hands press by 0 to 1.
+void warn_of_pressures(const FlgCurveSetView& view, const std::string& subject, Report& report) {
+    const FlgColumn* pressures = find_column(view, FLG_ATTRIBUTE_PRESSURE);
+    uint64_t beyond = 0;
+    for (uint32_t i = 0; pressures != nullptr && i < view.curve_offsets[view.curve_count]; ++i) {
+        const float pressure = *value_at(*pressures, i);
+        beyond += !(pressure >= 0.0f && pressure <= 1.0f);
+    }
+    if (beyond == 0) return;
+    report.warn(subject + ": " + std::to_string(beyond) + " pressures below 0 or above 1 count as 0 or 1");
+}
+
 void run_replay(Options options, const CommonOptions& common) {
     StylizeOutput output = {};
     output.curves = options.output;
     output.surface = options.surface;
     output.guide = options.save_guide;
     output.check_paths();
-    options.style.check_usage();
+    check_usage(options);
     require_writable(common.report);
     Report report("replay", common);
     describe(options, report);
     say_step("reading " + options.strokes);
     const CurveSource strokes(options.strokes);
     for (const std::string& warning : strokes.warnings()) report.warn(options.strokes + ": " + warning);
+    options.apply.check_columns(strokes.view(), options.strokes, true);
+    warn_of_pressures(strokes.view(), options.strokes, report);
 
     CountingPool pool;
     Session session(common, pool.hooks());
@@ -379,6 +409,7 @@ void run_replay(Options options, const CommonOptions& common) {
         if (!brushes.empty()) shapes.push_back(brushes[drawn[i]]);
     }
     output.write(context, options.live.style, {joined.view(), shapes, std::nullopt}, report);
+    options.style.describe_caps(context, options.live.style, report);
     report.write();
 }
 
@@ -403,10 +434,11 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
     app->add_flag_callback(
         "--end-cap", [o] { o->live.end_cap = 1; },
         "Ended strokes get the style's end cap (--caps), which strokes do not have while drawn");
-    app->add_option("--style-blend", live.style_blend,
-                    "Length of the strokes over which one style turns into the next, metres, >= 0; 0 = two patches")
-        ->capture_default_str()
-        ->check(at_least_zero());
+    o->style_blend_option =
+        app->add_option("--style-blend", live.style_blend,
+                        "Length of the strokes over which one style turns into the next, metres, >= 0; 0 = two patches")
+            ->capture_default_str()
+            ->check(at_least_zero());
     app->add_option("--radius-min", o->min_radius,
                     "Radius at pressure 0, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.001")
         ->check(at_least_zero());
@@ -415,7 +447,7 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
         ->check(at_least_zero());
     o->surface.add_to(*app);
     app->add_option("--save-guide", o->save_guide, "Write the style's guide")->type_name("G.xyz");
-    return {app, [o, &common] { run_replay(*o, common); }};
+    return {app, [o, &common] { with_option_names(o->apply.drives_said(), [&] { run_replay(*o, common); }); }};
 }
 
 }  // namespace flg::cli

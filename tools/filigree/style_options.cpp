@@ -301,10 +301,15 @@ FlgStyle StyleOptions::load(FlgContext context, Report& report) const {
     return style;
 }
 
-void StyleOptions::describe_caps(const FlgStyleInfo& info, Report& report) {
-    if (info.start_cap_points + info.end_cap_points == 0) return;
+void StyleOptions::describe_caps(FlgContext context, FlgStyle style, Report& report) const {
+    FlgStyleInfo info = {};
+    info.struct_size = sizeof info;
+    check(flgStyleGetInfo(context, style, &info), subject());
     report.counts["start_cap_points"] = info.start_cap_points;
     report.counts["end_cap_points"] = info.end_cap_points;
+    if (desc_.start_cap < 0.0f && info.start_cap_points + info.end_cap_points == 0) {
+        report.warn("--caps auto: " + style_ + " has no part before its first repetition or after its last one");
+    }
 }
 
 void StyleOptions::save(FlgContext context, FlgStyle style, Report& report) const {

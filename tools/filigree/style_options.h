@@ -30,8 +30,12 @@ public:
     std::vector<FlgStyle> start_further(FlgContext context, Report& report, std::vector<Pending>& jobs) const;
     // Keeps the style, ready by now, if a file is wanted.
     void save(FlgContext context, FlgStyle style, Report& report) const;
-    // How long a prepared style's caps are, if it has any.
-    static void describe_caps(const FlgStyleInfo& info, Report& report);
+    // How long a prepared style's caps are. Warns where none were found.
+    void describe_caps(FlgContext context, FlgStyle style, Report& report) const;
+    size_t count() const { return further_.size() + 1; }
+    // Styles from files may have caps too.
+    bool may_have_caps() const { return style_.empty() || desc_.start_cap != 0.0f || desc_.end_cap != 0.0f; }
+    bool may_have_end_cap() const { return style_.empty() || desc_.end_cap != 0.0f; }
     // What errors are about.
     const std::string& subject() const { return style_.empty() ? style_file_ : style_; }
 

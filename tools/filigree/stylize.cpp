@@ -16,6 +16,7 @@
 #include "documents/report.h"
 #include "documents/session.h"
 #include "documents/text_file.h"
+#include "option_names.h"
 #include "style_options.h"
 #include "stylize_output.h"
 #include "support/brush_shape.h"
@@ -37,6 +38,9 @@ struct Options {
     bool closed = false, network = false, columns = false;
     SurfaceOptions surface;
     std::string save_guide, save_matching, save_path;
+    const CLI::Option* style_blend_option = nullptr;
+
+    bool whole_motifs() const { return fit > 0.0f || corners.motifs(); }
 };
 
 constexpr uint32_t kMaxStrokes = 1024;
@@ -68,11 +72,48 @@ FlgStyleInfo style_info(FlgContext context, FlgStyle style) {
     return info;
 }
 
+void check_usage(const Options& options) {
+    options.style.check_usage();
+    options.apply.check_usage(options.style.count(), options.whole_motifs());
+    options.corners.check_usage();
+    if (options.corners.caps() && !options.style.may_have_caps()) {
+        throw UsageError("--corner-caps: --caps says what the style's caps are");
+    }
+    if (options.whole_motifs() && options.strokes > 1) {
+        throw UsageError("--strokes: whole motifs (--fit, --corners motif) leave nothing to chance: all are the same");
+    }
+    if (options.fit > 0.0f && options.closed && !options.corners.motifs()) {
+        throw UsageError("--fit: with --closed no curve has ends to fit motifs to; see --corners motif");
+    }
+    if (options.style.count() == 1) {
+        if (options.style_blend_option->count() > 0) throw UsageError("--style-blend: there is one --style");
+        return;
+    }
+    const std::pair<const char*, const std::string*> files[] = {{"--save-guide", &options.save_guide},
+                                                                {"--save-matching", &options.save_matching}};
+    for (const auto& [name, file] : files) {
+        if (!file->empty()) throw UsageError(std::string(name) + ": is of one style, not of several");
+    }
+}
+
+// Closed curves have no ends.
+void check_fit(const Options& options, const FlgCurveSetView& target, Report& report) {
+    if (options.fit == 0.0f || options.corners.motifs()) return;
+    uint32_t closed = 0;
+    for (uint32_t c = 0; c < target.curve_count; ++c) {
+        closed += target.curve_flags != nullptr && (target.curve_flags[c] & FLG_CURVE_CLOSED) != 0;
+    }
+    if (closed == 0) return;
+    const std::string sentence = options.target + ": --fit has no ends to fit motifs to in ";
+    if (closed == target.curve_count) throw InputError(sentence + "closed curves; see --corners motif");
+    report.warn(sentence + std::to_string(closed) + " closed curves");
+}
+
 void run_stylize(const Options& options, const CommonOptions& common) {
     const StylizeOutput output{options.output,    options.save_guide, options.save_matching,
                                options.save_path, options.surface,    options.columns};
     output.check_paths();
-    options.style.check_usage();
+    check_usage(options);
     require_writable(common.report);
     Report report("stylize", common);
     describe(options, report);
@@ -101,6 +142,8 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     desc.seed = common.seed;
     desc.pin_ends = options.network;
     desc.keep_displacement = options.columns;
+    check_fit(options, target_view, report);
+    options.apply.check_columns(target_view, options.target, false);
     report.counts["target_curves"] = target_view.curve_count;
     report.counts["target_points"] = target.point_count();
 
@@ -132,7 +175,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
         default_radius = chosen.radius_at(chosen.median());
     }
     output.write(context, desc.style, {view, shapes, default_radius}, report);
-    StyleOptions::describe_caps(style_info(context, desc.style), report);
+    options.style.describe_caps(context, desc.style, report);
     report.write();
 }
 
@@ -150,7 +193,7 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
         "NORMAL of a .glb)");
     app->add_option("--displacement", o->displacement,
                     "In place of --scale: the size at which the style's displacement (root mean square) is D metres, "
-                    "> 0")
+                    "> 0; of several styles style 0's, and the others have the same --scale")
         ->type_name("D")
         ->excludes("--scale")
         ->check(above_zero());
@@ -165,10 +208,11 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
         ->capture_default_str()
         ->check(between_including(0.0, 1.0));
     o->corners.add_to(*app);
-    app->add_option("--style-blend", o->style_blend,
-                    "Length of the curves over which one style turns into the next, metres, >= 0; 0 = two patches")
-        ->capture_default_str()
-        ->check(at_least_zero());
+    o->style_blend_option =
+        app->add_option("--style-blend", o->style_blend,
+                        "Length of the curves over which one style turns into the next, metres, >= 0; 0 = two patches")
+            ->capture_default_str()
+            ->check(at_least_zero());
     app->add_option("--max-points", o->max_points, "Maximum points of the result; 0 = 2^31")
         ->capture_default_str()
         ->check(CLI::Range(0u, 1u << 31).description(""));
@@ -182,7 +226,7 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
         ->type_name("M.txt");
     app->add_option("--save-path", o->save_path, "Write the path: one style index a target sample, a curve a line")
         ->type_name("P.txt");
-    return {app, [o, &common] { run_stylize(*o, common); }};
+    return {app, [o, &common] { with_option_names(o->apply.drives_said(), [&] { run_stylize(*o, common); }); }};
 }
 
 }  // namespace flg::cli

@@ -88,6 +88,17 @@ void add_runs(const FlgCurveSetView& result, Report& report) {
     report.quality["jumps"] = jumps;
 }
 
+// How often the style's caps were placed whole.
+void add_caps(const FlgCurveSetView& result, const FlgStyleInfo& info, Report& report) {
+    uint64_t starts = 0, ends = 0;
+    for_each_index(result, [&](uint32_t, uint32_t, int64_t index) {
+        starts += index == 0;
+        ends += index == int64_t{info.point_count} - 1;
+    });
+    if (info.start_cap_points > 0) report.counts["start_caps"] = starts;
+    if (info.end_cap_points > 0) report.counts["end_caps"] = ends;
+}
+
 // The same curves with the points that they need.
 FlgCurveSetView simplified(FlgContext context, const FlgCurveSetView& curves, float tolerance) {
     FlgCurveSetSimplifyDesc desc = flgCurveSetSimplifyDefaults();
@@ -138,6 +149,7 @@ void StylizeOutput::write(FlgContext context, FlgStyle style, const StylizedCurv
     report.quality["matching_energy"] = info.matching_energy;
     report.quality["temperature_unit"] = info.temperature_unit;
     add_runs(result.view, report);
+    add_caps(result.view, info, report);
 
     FlgCurveFileWriteDesc desc = {};
     flgCurveFileWriteDescInit(&desc, sizeof desc);

@@ -613,12 +613,12 @@ typedef struct FlgStyleDesc {
     /* Attributes to transfer, at most 8, each once; null: the shape alone. */
     const FlgStyleAttribute* attributes;
     /* Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a stroke's
-     * ends alone, metres along the example. Each open target begins with the one and ends with the other, once;
-     * between them no jump leads into a cap. A target too short for both gets both, smaller in all directions; closed
-     * targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0: found, as what comes
-     * before the first and after the last repetition of patches that are a sixteenth of the style's points long, or
-     * `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared twice for it). What is left
-     * must be long enough for two patches. Default 0. */
+     * ends alone, metres along the example. Open targets begin with the one and end with the other, once, as drawn: the
+     * guide goes on straight there, but for one of your own. No jump leads into a cap. Targets too short for both get
+     * them smaller in all directions; closed ones get none, live strokes the end cap when they end, if asked for. 0:
+     * none. Below 0: found, as what comes before the first and after the last repetition; where there is no period, of
+     * patches as long as a sixteenth of the style or `patch` (FlgStyleInfo says how long caps are; the style is made
+     * twice for it). What is left must be long enough for two patches. Default 0. */
     float start_cap, end_cap;
 } FlgStyleDesc;
 
@@ -689,8 +689,8 @@ typedef enum FlgStyleDriven {
     FLG_STYLE_DRIVEN_TEMPERATURE = 2, /* temperatures in place of `temperature`, >= 0: between the two, each point goes
                                          on by a path of the one or the other, by chance, weighted. One drive at most */
     FLG_STYLE_DRIVEN_RADIUS = 3,      /* a factor on the result's RADIUS, >= 0 */
-    FLG_STYLE_DRIVEN_STYLE = 4,       /* which style: 0 is `style`, k the k-th of `further_styles`, >= 0; the nearest
-                                         one counts. One drive at most */
+    FLG_STYLE_DRIVEN_STYLE = 4,       /* which style: 0 is `style`, k the k-th of `further_styles`, 0 to their number;
+                                         in between the nearest one. One drive at most */
     FLG_STYLE_DRIVEN_FORCE_32BIT = 0x7fffffff
 } FlgStyleDriven;
 
@@ -708,9 +708,9 @@ typedef struct FlgStyleDrive {
 /* What a style does at the corners of its targets. */
 typedef enum FlgStyleCorners {
     FLG_STYLE_CORNERS_THROUGH = 0, /* it goes on as elsewhere */
-    FLG_STYLE_CORNERS_MITRE = 1,   /* it goes on, and both sides are cut at the plane that halves the corner: they meet
-                                      there, and neither crosses it. Close to a corner displacements slide along the
-                                      target for that; where a target leaves them no room, they get smaller */
+    FLG_STYLE_CORNERS_MITRE = 1,   /* it goes on, and both sides meet in the plane that halves the corner. Close to it,
+                                      within 3 displacement_rms or half a side, displacements slide along the target
+                                      for that. At tips they get smaller; sides without room are gone through */
     FLG_STYLE_CORNERS_MOTIFS = 2,  /* whole motifs from corner to corner, fitted as `fit` says (at 0: as at 1), so that
                                       all corners have the same phase of the style; mitred too. Closed targets without
                                       corners are stylized as elsewhere */
@@ -775,25 +775,25 @@ typedef struct FlgCurveSetStylizeDesc {
     /* What columns of the target drive along it, at most 8; null: nothing, the same everywhere. */
     const FlgStyleDrive* drives;
     uint32_t drive_count;
-    /* Fits whole motifs to open targets, 0 to 1; a motif is the style's first curve that is long enough for a patch,
-     * without its caps. Above 0 a target has motif after motif (`start` and `temperature` have no effect), as many as
-     * come nearest to its length, at least one. That length is r times theirs: they are stretched along it by r^fit,
-     * and jumps in the last one skip or repeat the rest. 1 stretches alone; near 0 hardly anything stretches. A target
-     * too short for a motif gets it smaller in all directions; one shorter than a patch a whole one at any fit.
-     * 0: copies, cut off where a target ends. Not with exact_spacing. Default 0. */
+    /* Above 0, up to 1: open targets get whole motifs, one after the other (`start` and `temperature` have no effect),
+     * as many as come nearest to the length, stretched to fill it, at least one. A motif is one repetition of the
+     * style's first curve that has patches, without caps, or all of it if nothing repeats: that is stretched by r^fit
+     * alone, r being the length over that of the motifs, and a jump in the last one skips or repeats the rest. A target
+     * too short for a motif gets it smaller in all directions; one shorter than a patch a whole one.
+     * 0: copies, cut off where a target ends. Closed targets: see corners. Not with exact_spacing. Default 0. */
     float fit;
     /* What happens at corners. Other than THROUGH, each corner gets a point of the result, closed results begin at
      * their target's first corner, and from corner to corner there is a whole number of steps, at least 1: not with
      * exact_spacing. Default THROUGH. */
     FlgStyleCorners corners;
-    /* What a corner turns by at least, radians, above 0 and below pi: by more than that, and more than twice what the
-     * points next to it turn by in its direction, or by more than 1.7 times that. Smooth curves have none if they have
-     * 8 points around. A corner may be drawn round, too: a bend that turns by more than that, and by no more than 160
-     * degrees, within a patch of `style` as it is scaled (2 p + 1 steps) or 2.4 of its displacement_rms, between nearly
-     * straight sides three times as long as the bend; it is where the bend turns most. Default 50 degrees. */
+    /* What a corner turns by, radians, above 0 and below pi: by more than that and twice what the points next to it
+     * turn by in its direction, or by more than 1.7 times that. Smooth curves with 8 points around have none. A corner
+     * may be drawn round: a bend of up to 160 degrees that is no longer than a patch of `style` as scaled (2 p + 1
+     * steps) or 2.4 of its displacement_rms. Its sides are nearly straight and three times as long. The corner is where
+     * the bend turns most. Default 50 degrees. */
     float corner_angle;
-    /* Nonzero: with FLG_STYLE_CORNERS_MOTIFS the style's caps come at corners too, as at ends: the end cap before, the
-     * start cap behind each. Default 0. */
+    /* Nonzero: the style's caps come at corners too, as at ends: the end cap before, the start cap behind each. Only
+     * with FLG_STYLE_CORNERS_MOTIFS. Default 0. */
     uint32_t corner_caps;
     /* Nonzero, with pin_ends: where ends of open targets are the same point, to the bit, results that go on into each
      * other have one direction there. Ends are paired by the smallest turn, up to 60 degrees, each once; at points with
@@ -803,7 +803,7 @@ typedef struct FlgCurveSetStylizeDesc {
     /* More styles, at most 7, among which a drive of FLG_STYLE_DRIVEN_STYLE chooses along the way; null: none. The
      * result has the points of the style whose points are closest together; the others' displacements and attributes
      * are interpolated between theirs. All styles must transfer the same attributes. STYLE_INDEX counts through the
-     * points of all styles, one style behind the other, and is that of the style that counts most. */
+     * points of all styles, one style behind the other. A `scale` above 0 is that of each; at 0 each has its own. */
     const FlgStyle* further_styles;
     uint32_t further_style_count;
     /* Over which length of the target one style turns into the next, metres, >= 0: half of it before the place where

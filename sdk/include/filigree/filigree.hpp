@@ -3905,7 +3905,7 @@ public:
         CurveSet samples;  ///< out_samples of flgLiveStrokeEnd
     };
     /// Ends a stroke: starts a job that follows the curve to its last sample. The job copies the stylized points into
-    /// one set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME in seconds since the first sample).
+    /// one set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME since the first one, s, RADIUS).
     /// Both can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target of
     /// flgCurveSetStylize. The last point lies up to one step before the last sample. A zero-length stroke is one
     /// point, not displaced. Either set may be null if not needed; `job` may be null. The handle stays valid, for

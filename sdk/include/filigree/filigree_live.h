@@ -22,10 +22,10 @@
  *                  whole number of steps, so that its last point is the curve's end: frames are the same, points lie up
  *                  to half a step from those drawn, and the last run may go on to the style's end. What cannot be the
  *                  same: RADIUS and TIME, which a live stroke makes of pressure and clock, the other carries over from
- *                  its target; `smoothing`, which the samples do not have; FLG_FRAME_METHOD_SUPPLIED, where the other
- *                  takes a NORMAL column; end caps, unless `end_cap` is set; samples nearer to each other than a
- *                  thousandth of a step, of which a live stroke takes the first; strokes shorter than a step, which
- *                  have one point here and two there, or than both caps; what passes max_points.
+ *                  its target; `smoothing`, which the samples lack; the first normal without ORIENTATION, since the
+ *                  other knows the whole curve; supplied frames (a NORMAL column there); end caps, unless `end_cap` is
+ *                  set; samples nearer to each other than a thousandth of a step (the first counts); strokes shorter
+ *                  than a step (one point here, two there), or than both caps; what passes max_points.
  * Caps             A stroke begins with its style's start cap (FlgStyleDesc). Its points get no end cap: they never
  *                  move, and the end is not known before it is there. With `end_cap` the set that flgLiveStrokeEnd
  *                  makes ends with it: its last points, up to 256 and the cap, are not those drawn, but
@@ -227,7 +227,7 @@ FLG_API FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, ui
                                     uint32_t* out_point_count);
 
 /* Ends a stroke: starts a job that follows the curve to its last sample. The job copies the stylized points into one
- * set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME in seconds since the first sample). Both
+ * set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME since the first one, s, RADIUS). Both
  * can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target of
  * flgCurveSetStylize. The last point lies up to one step before the last sample. A zero-length stroke is one point,
  * not displaced. Either set may be null if not needed; `job` may be null. The handle stays valid, for

@@ -456,22 +456,22 @@ namespace Filigree
         public FlgStyleAttribute* attributes;
         /// <summary>
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
-        /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
-        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
-        /// directions; closed targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0:
-        /// found, as what comes before the first and after the last repetition of patches that are a sixteenth of the
-        /// style's points long, or `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared
-        /// twice for it). What is left must be long enough for two patches. Default 0.
+        /// stroke's ends alone, metres along the example. Open targets begin with the one and end with the other, once,
+        /// as drawn: the guide goes on straight there, but for one of your own. No jump leads into a cap. Targets too
+        /// short for both get them smaller in all directions; closed ones get none, live strokes the end cap when they
+        /// end, if asked for. 0: none. Below 0: found, as what comes before the first and after the last repetition;
+        /// where there is no period, of patches as long as a sixteenth of the style or `patch` (FlgStyleInfo says how
+        /// long caps are; the style is made twice for it). What is left must be long enough for two patches. Default 0.
         /// </summary>
         public float start_cap;
         /// <summary>
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
-        /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
-        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
-        /// directions; closed targets get none, live strokes the end cap when they end, if asked for. 0: none. Below 0:
-        /// found, as what comes before the first and after the last repetition of patches that are a sixteenth of the
-        /// style's points long, or `patch` if that is longer (FlgStyleInfo says how long caps are; patches are compared
-        /// twice for it). What is left must be long enough for two patches. Default 0.
+        /// stroke's ends alone, metres along the example. Open targets begin with the one and end with the other, once,
+        /// as drawn: the guide goes on straight there, but for one of your own. No jump leads into a cap. Targets too
+        /// short for both get them smaller in all directions; closed ones get none, live strokes the end cap when they
+        /// end, if asked for. 0: none. Below 0: found, as what comes before the first and after the last repetition;
+        /// where there is no period, of patches as long as a sixteenth of the style or `patch` (FlgStyleInfo says how
+        /// long caps are; the style is made twice for it). What is left must be long enough for two patches. Default 0.
         /// </summary>
         public float end_cap;
     }
@@ -613,12 +613,13 @@ namespace Filigree
         public FlgStyleDrive* drives;
         public uint drive_count;
         /// <summary>
-        /// Fits whole motifs to open targets, 0 to 1; a motif is the style's first curve that is long enough for a
-        /// patch, without its caps. Above 0 a target has motif after motif (`start` and `temperature` have no effect),
-        /// as many as come nearest to its length, at least one. That length is r times theirs: they are stretched along
-        /// it by r^fit, and jumps in the last one skip or repeat the rest. 1 stretches alone; near 0 hardly anything
-        /// stretches. A target too short for a motif gets it smaller in all directions; one shorter than a patch a
-        /// whole one at any fit. 0: copies, cut off where a target ends. Not with exact_spacing. Default 0.
+        /// Above 0, up to 1: open targets get whole motifs, one after the other (`start` and `temperature` have no
+        /// effect), as many as come nearest to the length, stretched to fill it, at least one. A motif is one
+        /// repetition of the style's first curve that has patches, without caps, or all of it if nothing repeats: that
+        /// is stretched by r^fit alone, r being the length over that of the motifs, and a jump in the last one skips or
+        /// repeats the rest. A target too short for a motif gets it smaller in all directions; one shorter than a patch
+        /// a whole one. 0: copies, cut off where a target ends. Closed targets: see corners. Not with exact_spacing.
+        /// Default 0.
         /// </summary>
         public float fit;
         /// <summary>
@@ -628,17 +629,16 @@ namespace Filigree
         /// </summary>
         public FlgStyleCorners corners;
         /// <summary>
-        /// What a corner turns by at least, radians, above 0 and below pi: by more than that, and more than twice what
-        /// the points next to it turn by in its direction, or by more than 1.7 times that. Smooth curves have none if
-        /// they have 8 points around. A corner may be drawn round, too: a bend that turns by more than that, and by no
-        /// more than 160 degrees, within a patch of `style` as it is scaled (2 p + 1 steps) or 2.4 of its
-        /// displacement_rms, between nearly straight sides three times as long as the bend; it is where the bend turns
-        /// most. Default 50 degrees.
+        /// What a corner turns by, radians, above 0 and below pi: by more than that and twice what the points next to
+        /// it turn by in its direction, or by more than 1.7 times that. Smooth curves with 8 points around have none. A
+        /// corner may be drawn round: a bend of up to 160 degrees that is no longer than a patch of `style` as scaled
+        /// (2 p + 1 steps) or 2.4 of its displacement_rms. Its sides are nearly straight and three times as long. The
+        /// corner is where the bend turns most. Default 50 degrees.
         /// </summary>
         public float corner_angle;
         /// <summary>
-        /// Nonzero: with FlgStyleCorners.Motifs the style's caps come at corners too, as at ends: the end cap before,
-        /// the start cap behind each. Default 0.
+        /// Nonzero: the style's caps come at corners too, as at ends: the end cap before, the start cap behind each.
+        /// Only with FlgStyleCorners.Motifs. Default 0.
         /// </summary>
         public uint corner_caps;
         /// <summary>
@@ -652,7 +652,8 @@ namespace Filigree
         /// More styles, at most 7, among which a drive of FlgStyleDriven.Style chooses along the way; null: none. The
         /// result has the points of the style whose points are closest together; the others' displacements and
         /// attributes are interpolated between theirs. All styles must transfer the same attributes. STYLE_INDEX counts
-        /// through the points of all styles, one style behind the other, and is that of the style that counts most.
+        /// through the points of all styles, one style behind the other. A `scale` above 0 is that of each; at 0 each
+        /// has its own.
         /// </summary>
         public FlgStyle* further_styles;
         public uint further_style_count;

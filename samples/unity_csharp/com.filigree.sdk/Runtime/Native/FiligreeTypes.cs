@@ -281,8 +281,8 @@ namespace Filigree
         /// <summary>FLG_STYLE_DRIVEN_RADIUS: a factor on the result's RADIUS, &gt;= 0</summary>
         Radius = 3,
         /// <summary>
-        /// FLG_STYLE_DRIVEN_STYLE: which style: 0 is `style`, k the k-th of `further_styles`, &gt;= 0; the nearest one
-        /// counts. One drive at most
+        /// FLG_STYLE_DRIVEN_STYLE: which style: 0 is `style`, k the k-th of `further_styles`, 0 to their number; in
+        /// between the nearest one. One drive at most
         /// </summary>
         Style = 4,
     }
@@ -293,9 +293,9 @@ namespace Filigree
         /// <summary>FLG_STYLE_CORNERS_THROUGH: it goes on as elsewhere</summary>
         Through = 0,
         /// <summary>
-        /// FLG_STYLE_CORNERS_MITRE: it goes on, and both sides are cut at the plane that halves the corner: they meet
-        /// there, and neither crosses it. Close to a corner displacements slide along the target for that; where a
-        /// target leaves them no room, they get smaller
+        /// FLG_STYLE_CORNERS_MITRE: it goes on, and both sides meet in the plane that halves the corner. Close to it,
+        /// within 3 displacement_rms or half a side, displacements slide along the target for that. At tips they get
+        /// smaller; sides without room are gone through
         /// </summary>
         Mitre = 1,
         /// <summary>
