@@ -21,8 +21,8 @@ constexpr double min_breadth = 0.3;  // of a triangle's height by its longest si
 constexpr uint32_t halvings = 10, newton_steps = 16;
 constexpr double near_enough = 0.02 * border_tolerance;
 constexpr double max_step = 0.3, max_way = 0.5;  // from the edge, by the spacing
-constexpr double landing = 0.8;                   // of the tolerance: what is farther off is put onto the surface
-constexpr double least_det = 0.02;                // sine squared between the surface and where parts are alike
+constexpr double landing = 0.8;                  // of the tolerance: what is farther off is put onto the surface
+constexpr double least_det = 0.02;               // sine squared between the surface and where parts are alike
 
 // Which parts a point belongs to: those that meet there.
 struct Owners {

@@ -565,7 +565,8 @@ void SplineOptimizer::add_energy(Curve& curve, uint32_t node) {
         const double length = distance_between(x, at(curve, next(node)), n_);
         const double stretching = length * length / moments_.step_after(node);
         curve.stretching += stretching;
-        curve.tensed += moments_.tension_shares().size() > 0 ? moments_.tension_shares()[node] * stretching : stretching;
+        curve.tensed +=
+            moments_.tension_shares().size() > 0 ? moments_.tension_shares()[node] * stretching : stretching;
     }
     if (pull_at(node) == 0) return;
     const double off = distance_between(x, &problem_.given[size_t{knot_of_[node]} * n_], n_);
