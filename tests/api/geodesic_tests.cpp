@@ -52,7 +52,7 @@ TEST(GeodesicApi, NoDistanceIsShorterThanTheStraightLine) {
         const FlgSurface surface = host.surface(input);
         const FlgSurfaceView view = host.view(surface);
         std::vector<uint32_t> vertices;
-        for (uint32_t v = 0; v < view.vertex_count; v += 40) vertices.push_back(v);
+        for (uint32_t v = 0; v < view.mesh->vertex_count; v += 40) vertices.push_back(v);
         const FlgSurfacePoint point = {7, 0.2f, 0.3f};
         for (const uint32_t labels : {0u, 1u}) {
             FlgFieldGeodesicDesc desc = from_vertex(surface, vertices.data());
@@ -65,11 +65,11 @@ TEST(GeodesicApi, NoDistanceIsShorterThanTheStraightLine) {
             Point& inside = sources.emplace_back();
             const double weights[] = {1 - point.u - point.v, point.u, point.v};
             for (int k = 0; k < 3; ++k) {
-                const Point corner = vertex_at(view, view.triangles[3 * point.triangle + k]);
+                const Point corner = vertex_at(view, view.mesh->triangles[3 * point.triangle + k]);
                 for (int i = 0; i < 3; ++i) inside[i] += weights[k] * corner[i];
             }
             const FlgFieldView field = host.view(host.solve(desc));
-            for (uint32_t v = 0; v < view.vertex_count; ++v) {
+            for (uint32_t v = 0; v < view.mesh->vertex_count; ++v) {
                 double straight = std::numeric_limits<double>::infinity();
                 for (const Point& source : sources) straight = std::min(straight, distance(source, vertex_at(view, v)));
                 EXPECT_GE(field.values[v], straight * (1 - 1e-6)) << v;
