@@ -40,10 +40,10 @@ bool rows_may_be_apart() {
     const float numbers[] = {0, 1, 2, -1, 3, 4, 5, -1, 6, 7, 8, -1};
     const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, numbers, 4 * sizeof(float), 0};
     float next = 0;
-    for (const auto& row : filigree::RowBlocks<3>(&column, 3))
+    for (const auto& row : filigree::Rows<3>(&column, 3))
         for (const float number : row)
             if (number != next++) return failed(__LINE__);
-    return next == 9 && filigree::RowBlocks<2>(&column, 3).empty() && filigree::RowBlocks<3>(nullptr, 3).empty();
+    return next == 9 && filigree::Rows<2>(&column, 3).empty() && filigree::Rows<3>(nullptr, 3).empty();
 }
 
 bool failures_are_values(filigree::Context& context) {

@@ -153,8 +153,8 @@ void keep_skin_files(Calls& calls) {
     const uint16_t joints[12] = {0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0};
     const float weights[12] = {0.75f, 0.25f, 0, 0, 0.5f, 0.5f, 0, 0, 1, 0, 0, 0}, places[] = {0, 0, 0, 1, 0, 0};
     const char* const names[] = {"root", "tip"};
-    const FlgSkinView skin = {sizeof skin, 3,     1,      2,       positions, normals, triangle, joints,
-                              weights,     parts, places, parents, names,     {},      nullptr,  nullptr};
+    const FlgSkinView skin = {sizeof skin, 3,      1,       2,     positions, normals, triangle, joints,  weights,
+                              parts,       places, parents, names, {},        nullptr, {},       nullptr, nullptr};
     const float times[] = {0, 1}, rotations[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.6f, 0.8f, 0, 0, 0, 1};
     const FlgSkinAnimation animation = {sizeof animation, 2, "nod", times, rotations, nullptr};
     FlgSkinFileWriteDesc desc = FLG_INIT(calls, flgSkinFileWriteDescInit);
