@@ -46,7 +46,7 @@ FlgPullHandle handle_at(const Triangles& mesh, uint32_t vertex, const Vec3& by) 
 }
 
 TEST(MeshSkins, AreRiggedPosedAndTheSameUnderAnyWorkers) {
-    const Triangles mesh = person();
+    const Triangles mesh = solid_person();
     FlgColumn column;
     const FlgMeshView view = view_of(mesh, column);
     std::vector<std::vector<float>> all;
@@ -84,7 +84,7 @@ TEST(MeshSkins, AreRiggedPosedAndTheSameUnderAnyWorkers) {
 
 TEST(MeshSkins, Refusals) {
     MeshHost host;
-    Triangles mesh = person();
+    Triangles mesh = solid_person();
     FlgColumn column;
     FlgMeshView view = view_of(mesh, column);
     const auto expect = [&](const char* what, const std::function<void(FlgSkinFromMeshDesc&)>& spoil,
@@ -113,7 +113,7 @@ TEST(MeshSkins, Refusals) {
 
 TEST(MeshSkins, AFailedJobSaysWhy) {
     MeshHost host;
-    Triangles mesh = person();
+    Triangles mesh = solid_person();
     mesh.corners[5] = 123456;
     FlgColumn column;
     const FlgMeshView view = view_of(mesh, column);
@@ -165,7 +165,7 @@ TEST(PulledMeshes, FollowHandlesAndAreTheSameUnderAnyWorkers) {
 }
 
 TEST(PulledMeshes, AddToPoses) {
-    const Triangles mesh = person();
+    const Triangles mesh = solid_person();
     FlgColumn column;
     const FlgMeshView view = view_of(mesh, column);
     MeshHost host;
@@ -183,7 +183,7 @@ TEST(PulledMeshes, AddToPoses) {
 }
 
 TEST(PulledMeshes, Refusals) {
-    const Triangles mesh = person();
+    const Triangles mesh = solid_person();
     FlgColumn column;
     const FlgMeshView view = view_of(mesh, column);
     MeshHost host;

@@ -54,7 +54,7 @@ std::string list(const Made& made) {
 }
 
 TEST(MeshSkin, Person) {
-    const Made made = skin_of(person());
+    const Made made = skin_of(solid_person());
     SCOPED_TRACE(list(made));
     for (const char* name :
          {"body_0", "arm_0.L", "arm_1.L", "arm_2.L", "arm_0.R", "leg_0.L", "leg_1.L", "leg_2.L", "leg_0.R", "head_0"})
@@ -67,7 +67,7 @@ TEST(MeshSkin, Person) {
 }
 
 TEST(MeshSkin, MirrorImagesAreExact) {
-    const Made made = skin_of(person());
+    const Made made = skin_of(solid_person());
     for (const auto& [name, joint] : made.joints) {
         if (!name.ends_with(".L")) continue;
         const std::string other = name.substr(0, name.size() - 1) + "R";
@@ -78,7 +78,7 @@ TEST(MeshSkin, MirrorImagesAreExact) {
 }
 
 TEST(MeshSkin, AnAnimalLooksWhereItsHeadIs) {
-    const Made made = skin_of(animal());
+    const Made made = skin_of(solid_animal());
     SCOPED_TRACE(list(made));
     for (const char* name : {"leg_0.L", "leg_0.R", "leg2_0.L", "leg2_0.R", "head_0", "tail_0"})
         ASSERT_TRUE(made.has(name)) << name;
@@ -90,7 +90,7 @@ TEST(MeshSkin, AnAnimalLooksWhereItsHeadIs) {
 
 // By the distance from the solid the triangles enclose.
 TEST(MeshSkin, JointsAreInside) {
-    for (const Triangles& triangles : {person(), animal()}) {
+    for (const Triangles& triangles : {solid_person(), solid_animal()}) {
         const Made made = skin_of(triangles);
         const RepairedTriangles mesh(triangles);
         const SolidGrid grid =
@@ -105,7 +105,7 @@ TEST(MeshSkin, JointsAreInside) {
 }
 
 TEST(MeshSkin, VerticesTrianglesAndOrderStay) {
-    Triangles triangles = person();
+    Triangles triangles = solid_person();
     triangles.add({9, 9, 9});  // no triangle has it
     triangles.corners.insert(triangles.corners.end(), {0, 0, 1});
     const Made made = skin_of(triangles);
@@ -128,7 +128,7 @@ TEST(MeshSkin, VerticesTrianglesAndOrderStay) {
 
 // A leg's vertices move with their own leg, however near the other is.
 TEST(MeshSkin, LegsDoNotPullEachOther) {
-    const Made made = skin_of(person());
+    const Made made = skin_of(solid_person());
     const HeldSkin& skin = *made.skin;
     for (size_t v = 0; v < skin.mesh.positions.size(); ++v) {
         const Vec3& at = skin.mesh.positions[v];
@@ -145,7 +145,7 @@ TEST(MeshSkin, LegsDoNotPullEachOther) {
 
 TEST(MeshSkin, TurnsWithTheMesh) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.6, Vec3::UnitY()).toRotationMatrix();
-    const Made own = skin_of(person()), turned = skin_of(person().turned(turn));
+    const Made own = skin_of(solid_person()), turned = skin_of(solid_person().turned(turn));
     ASSERT_EQ(own.skin->tree.joints.size(), turned.skin->tree.joints.size()) << list(own) << list(turned);
     // Rounding decides which cells are inside: by no more than a cell.
     for (const BoneJoint& joint : own.skin->tree.joints) {
@@ -159,7 +159,7 @@ TEST(MeshSkin, TurnsWithTheMesh) {
 TEST(MeshSkin, MoreDetailMoreJoints) {
     size_t before = 0;
     for (const float detail : {0.5f, 1.0f, 2.0f}) {
-        const size_t joints = skin_of(person(), false, detail).skin->tree.joints.size();
+        const size_t joints = skin_of(solid_person(), false, detail).skin->tree.joints.size();
         EXPECT_GT(joints, before) << detail;
         before = joints;
     }
@@ -183,7 +183,7 @@ TEST(MeshSkin, WhatHasNoLimbsHasFewJoints) {
 }
 
 TEST(MeshSkin, SameBitsWhereverItPauses) {
-    const Made whole = skin_of(animal(), false, 1, 20000), halting = skin_of(animal(), true, 1, 20000);
+    const Made whole = skin_of(solid_animal(), false, 1, 20000), halting = skin_of(solid_animal(), true, 1, 20000);
     ASSERT_EQ(whole.skin->tree.joints.size(), halting.skin->tree.joints.size());
     for (size_t j = 0; j < whole.skin->tree.joints.size(); ++j)
         EXPECT_EQ(whole.skin->tree.joints[j].at, halting.skin->tree.joints[j].at);

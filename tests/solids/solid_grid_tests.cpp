@@ -74,7 +74,7 @@ TEST(SolidGrid, SheetsAreInside) {
 }
 
 TEST(SolidGrid, DepthsAreDistancesToTheNearestCellOutside) {
-    const RepairedTriangles mesh(person());
+    const RepairedTriangles mesh(solid_person());
     const SolidGrid grid = grid_of(mesh.mesh(), 6000);
     const Buffer<float> depths = run_now(test_memory(), [&](Pace& pace) { return solid_depths(pace, grid); });
     for (uint32_t i = 0; i < grid.count(); ++i) {
@@ -90,19 +90,19 @@ TEST(SolidGrid, DepthsAreDistancesToTheNearestCellOutside) {
 }
 
 TEST(SolidGrid, MirrorPlanes) {
-    const SolidFrame front = frame_of(RepairedTriangles(person()).mesh());
+    const SolidFrame front = frame_of(RepairedTriangles(solid_person()).mesh());
     EXPECT_TRUE(front.is_mirrored);
     EXPECT_NEAR(front.axes.col(0).x(), 1, 1e-6);
     EXPECT_NEAR(front.middle.x(), 0, 1e-6);
-    Triangles odd = person();
+    Triangles odd = solid_person();
     odd.add_tube({0.4, 0.2, 0.4}, 0.1, {0.9, 0.9, 0.6}, 0.2);
     EXPECT_FALSE(frame_of(RepairedTriangles(odd).mesh()).is_mirrored);
 }
 
 TEST(SolidGrid, TurnsWithTheMesh) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 0.5).normalized()).toRotationMatrix();
-    const SolidFrame own = frame_of(RepairedTriangles(person()).mesh()),
-                     turned = frame_of(RepairedTriangles(person().turned(turn)).mesh());
+    const SolidFrame own = frame_of(RepairedTriangles(solid_person()).mesh()),
+                     turned = frame_of(RepairedTriangles(solid_person().turned(turn)).mesh());
     EXPECT_TRUE(turned.is_mirrored);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(std::abs((turn * own.axes.col(k)).dot(turned.axes.col(k))), 1, 1e-5) << k;
     EXPECT_LT((turn * own.middle - turned.middle).norm(), 1e-5);
@@ -133,7 +133,7 @@ TEST(SolidGrid, PiecesAreJoinedAndCrumbsDropped) {
 }
 
 TEST(SolidGrid, SameBitsWhereverItPauses) {
-    const RepairedTriangles mesh(animal());
+    const RepairedTriangles mesh(solid_animal());
     const SolidGrid whole = grid_of(mesh.mesh(), 20000), halting = grid_of(mesh.mesh(), 20000, true);
     ASSERT_EQ(whole.count(), halting.count());
     EXPECT_TRUE(std::equal(whole.inside.begin(), whole.inside.end(), halting.inside.begin()));

@@ -77,7 +77,7 @@ struct Triangles {
 };
 
 // Stands on two legs and holds its arms level, bent forward at the elbows. Faces +z.
-inline Triangles person() {
+inline Triangles solid_person() {
     Triangles t;
     t.add_tube({0, 0.95, 0}, 0.15, {0, 1.4, 0}, 0.17);
     t.add_tube({0, 1.4, 0}, 0.07, {0, 1.7, 0}, 0.1);
@@ -91,7 +91,7 @@ inline Triangles person() {
 }
 
 // Stands on four legs and looks along -z.
-inline Triangles animal() {
+inline Triangles solid_animal() {
     Triangles t;
     t.add_tube({0, 1, -0.5}, 0.28, {0, 1, 0.6}, 0.26);
     t.add_tube({0, 1.1, -0.6}, 0.14, {0, 1.5, -1.0}, 0.12);

@@ -145,7 +145,8 @@ TEST_F(MotionCommand, ACameraGlidesPastAnObstacle) {
     const double up = std::tan(25 * std::acos(-1.0) / 180), near = 0.1 * std::sqrt(1 + up * up * (1 + 256.0 / 81));
     EXPECT_GT(least, 0.5 + near - 1e-3);
     EXPECT_LT(least, 0.5 + near + 0.05);
-    const auto& q = report().at("quality");
+    const Json json_report = report();
+    const auto& q = json_report.at("quality");
     EXPECT_LE(q.at("greatest_speed").get<double>(), 2.01);
     EXPECT_LE(q.at("greatest_acceleration").get<double>(), 1.1);
     EXPECT_NEAR(q.at("duration").get<double>(), q.at("key_times")[2].get<double>(), 1e-9);
@@ -191,7 +192,7 @@ TEST_F(MotionCommand, RefusesWhatItCantUse) {
     refused("/body", {{"box", {1, 1}}}, "motion.body.box: must be 3 numbers");
     refused("/body/points", Json::array(), "motion.body.points: is empty");
     refused("/body/masses", {1, 2}, "motion.body.masses: must be as many as `points`");
-    refused("/speed", 1, "motion: does not know `speed`");
+    refused("/haste", 1, "motion: does not know `haste`");
     folder.write("broken.json", "{");
     expect_refused({"motion", "broken.json", "--poses", "out.txt"}, 1, {"broken.json: "});
     expect_refused({"motion", "none.json", "--poses", "out.txt"}, 1, {"none.json: can't be opened"});

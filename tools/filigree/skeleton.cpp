@@ -30,6 +30,7 @@ struct Options {
     std::string root;
     std::vector<std::string> apart, depths;
     uint32_t vertices = flgSkinDefaults().vertex_count;
+    bool asks_vertices = false;
     std::vector<uint32_t> levels;
     double sharp_degrees = 0;
     PictureOptions picture;
@@ -128,10 +129,11 @@ Json bones_json(const FlgModelView& view, const FlgRig* rig) {
 
 constexpr double kOffCount = 0.02;  // of the vertices asked for: what is said when it is more
 
+// `wanted`: 0 if nobody asked for a number.
 FlgSkinView view_of(Session& session, FlgSkin skin, uint32_t wanted, const Options& options, Report& report) {
     FlgSkinView view = flgSkinViewDefaults();
     check(flgSkinGetView(session.context(), skin, &view), options.output);
-    if (std::abs(static_cast<double>(view.vertex_count) / wanted - 1) > kOffCount)
+    if (wanted != 0 && std::abs(static_cast<double>(view.vertex_count) / wanted - 1) > kOffCount)
         report.warn(options.output + ": a surface has " + std::to_string(view.vertex_count) + " vertices in place of " +
                     std::to_string(wanted) + ": its thin parts, borders, corners, holes and pieces need them");
     return view;
@@ -177,7 +179,8 @@ struct Made {
 
 Made make_drawn_skin(const Options& options, Session& session, FlgModel model, Report& report) {
     const FlgSkin skin = make_skin(options, session, model, report);
-    return {view_of(session, skin, options.vertices, options, report), make_levels(options, session, skin, report)};
+    const uint32_t wanted = options.asks_vertices ? options.vertices : 0;
+    return {view_of(session, skin, wanted, options, report), make_levels(options, session, skin, report)};
 }
 
 void write_skin(const Options& options, const std::string& subject, const ModelDrawing& drawing,
@@ -378,7 +381,10 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     command->add_option("--apart", options->apart, "Two parts that are not welded where they touch. Once a pair")
         ->type_name("PART,PART")
         ->allow_extra_args(false);
-    return {command, [options, &common] { run_skeleton(*options, common); }};
+    return {command, [options, &common, command] {
+                options->asks_vertices = command->count("--vertices") > 0;
+                run_skeleton(*options, common);
+            }};
 }
 
 }  // namespace flg::cli

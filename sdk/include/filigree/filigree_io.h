@@ -399,7 +399,7 @@ typedef struct FlgSkinFileWriteDesc {
     const FlgVrm* vrm;         /* makes the file a VRM 1.0 avatar. Default null */
     const uint8_t* texture;    /* a PNG or JPEG file, texture_size bytes: the colour of all materials, times theirs; the
                                   skin needs corner_uvs. Default null */
-    uint64_t texture_size;
+    uint64_t texture_size;     /* bytes; 0 without one. Default 0 */
     const FlgSkinView* levels; /* levels of detail after the skin itself, from fine to coarse, with its joints:
                                   flgSkinSimplify. Default null */
     uint32_t level_count;      /* up to 16. Default 0 */
