@@ -355,6 +355,7 @@ namespace Filigree
         /// corner_uvs. Default null
         /// </summary>
         public byte* texture;
+        /// <summary>bytes; 0 without one. Default 0</summary>
         public ulong texture_size;
         /// <summary>
         /// levels of detail after the skin itself, from fine to coarse, with its joints: flgSkinSimplify. Default null
