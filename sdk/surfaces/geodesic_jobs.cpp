@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <optional>
 
@@ -78,7 +79,7 @@ Task<void> keep_above_straight_lines(Pace& pace, const Mesh& mesh, const Buffer<
     co_await each(pace, field.distances.size(), labelled ? Cost::some_ns : Cost::tens_of_ns, [&](uint32_t v) {
         if (field.distances[v] == unreachable) return;
         const Vec3 at = mesh.position(v);
-        double nearest = unreachable;
+        double nearest = std::numeric_limits<double>::infinity();
         if (labelled) {
             nearest = (places[field.labels[v]] - at).squaredNorm();
         } else {
