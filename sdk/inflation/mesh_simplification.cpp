@@ -248,7 +248,8 @@ private:
     // Where the vertex that an edge becomes is best.
     Vec3 place(uint32_t a, uint32_t b) const {
         if (hold_[a] != hold_[b]) return hold_[a] > hold_[b] ? position_[a] : position_[b];
-        const Vec3 &p = position_[a], &q = position_[b], along = q - p, half = (p + q) / 2;
+        const Vec3 &p = position_[a], &q = position_[b], along = q - p;
+        Vec3 half = (p + q) / 2;
         Quadric sum = quadric_[a];
         sum.add(quadric_[b]);
         if (hold_[a] == Hold::border) {
