@@ -211,9 +211,10 @@ Task<Solution> solve(Pace& pace, const Scene& scene, Nodes& nodes, TripleBuffer<
         const RunPart part = co_await part_of(pace, scene, nodes.chain, run);
         SplineReport report;
         if (part.chain.nodes == nodes.chain.nodes) {
-            ShowRounds watch(scene, nodes, found.path_energy, *states);
+            std::optional<ShowRounds> watch;
+            if (states) watch.emplace(scene, nodes, found.path_energy, *states);
             report =
-                co_await run_rotations(pace, of_run, part.chain, nodes.rotations.data(), states ? &watch : nullptr);
+                co_await run_rotations(pace, of_run, part.chain, nodes.rotations.data(), watch ? &*watch : nullptr);
         } else {
             Buffer<double> rotations(size_t{9} * part.chain.nodes, pace.memory());
             report = co_await run_rotations(pace, of_run, part.chain, rotations.data(), nullptr);
