@@ -265,11 +265,14 @@ TEST(CuttingApi, DistancesAfterCutsAreThoseOfASurfaceMadeAnew) {
     desc.surface = host.surface(copy, -1);
     const FlgFieldView fresh = host.view(host.solve(desc));
     ASSERT_EQ(fresh.vertex_count, cut_field.vertex_count);
+    uint32_t apart = 0;
     for (uint32_t v = 0; v < fresh.vertex_count; ++v) {
-        // Where two ways are as long, as opposite to the source, the order of visits, that of the vertices, decides
+        // Where two ways are about as long, the order of visits, which begins at another of a vertex' triangles, decides
         // within the solver's error.
         EXPECT_NEAR(cut_field.values[v], fresh.values[v], 1.5e-3 * fresh.values[v]) << v;
+        apart += std::abs(cut_field.values[v] - fresh.values[v]) > 3e-4f * fresh.values[v];
     }
+    EXPECT_LT(20 * apart, fresh.vertex_count);
 }
 
 // How to divide the triangles is found first, which takes longest.

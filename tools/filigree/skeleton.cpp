@@ -303,7 +303,8 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
                         "meshes, taken by their silhouettes; or one drawing (.json)");
     command
         ->add_option("--mesh", options->mesh,
-                     "Instead of contours a mesh: it gets bones and weights, and keeps its vertices")
+                     "Instead of contours a mesh: it gets bones and weights, and keeps its vertices. Of its columns "
+                     "positions and normals are written")
         ->type_name("MESH");
     command->add_option("-o,--output", options->output, "The model: surface, joints, weights and a test animation")
         ->type_name("MODEL.glb");

@@ -106,9 +106,9 @@ struct FlipRequest {
     std::pmr::deque<Corner> edges;       // opposite to obtuse angles; those of triangles above come by themselves
 };
 
-// Flips edges of `surface.flipped`, which is `flipped`, until none is left to flip; triangles of `flipped_before` are
-// left alone. Returns the triangles of groups that were dissolved or made, some more than once, and some that the mesh
-// has no more.
+// Flips edges until none is left to flip. `flipped` is what `surface.flipped` shows; triangles of `flipped_before` stay
+// as they are. Returns the triangles of groups that were dissolved or made: some more than once, some that the mesh has
+// no more.
 Task<std::pmr::deque<uint32_t>> flip_edges(Pace& pace, const IntrinsicSurface& surface, FlipRequest& request,
                                            IntrinsicTriangles& flipped);
 
