@@ -267,8 +267,8 @@ TEST(CuttingApi, DistancesAfterCutsAreThoseOfASurfaceMadeAnew) {
     ASSERT_EQ(fresh.vertex_count, cut_field.vertex_count);
     uint32_t apart = 0;
     for (uint32_t v = 0; v < fresh.vertex_count; ++v) {
-        // Where two ways are about as long, the order of visits, which begins at another of a vertex' triangles, decides
-        // within the solver's error.
+        // Where two ways are about as long, the order of visits decides within the solver's error: it begins at
+        // another of a vertex' triangles.
         EXPECT_NEAR(cut_field.values[v], fresh.values[v], 1.5e-3 * fresh.values[v]) << v;
         apart += std::abs(cut_field.values[v] - fresh.values[v]) > 3e-4f * fresh.values[v];
     }
