@@ -18,6 +18,7 @@
 #include "filigree/filigree_model.h"
 #include "filigree/filigree_motion.h"
 #include "filigree/filigree_project.h"
+#include "filigree/filigree_pull.h"
 #include "filigree/filigree_rig.h"
 #include "filigree/filigree_skeleton.h"
 #include "filigree/filigree_spline.h"
