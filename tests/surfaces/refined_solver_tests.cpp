@@ -486,6 +486,42 @@ TEST(RefinedSolver, StaysWithinRegionsOfStretchedTriangles) {
     }
 }
 
+// Of a few fans where the regions end edges are flipped outside alone: the same as on a surface that ends there.
+TEST(RefinedSolver, StaysWithinJaggedRegionsOfUnevenTriangles) {
+    const uint32_t cells = 40, squares = 8;
+    const Soup flat = plane(cells);
+    for (uint64_t seed = 0; seed < 20; ++seed) {
+        Mesh mesh = make_mesh(plane(cells, 0.45));
+        for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+            Vec3 low = Vec3::Constant(1);
+            for (const uint32_t v : mesh.triangles[t]) low = low.cwiseMin(load_vec3(flat.positions[v].data()));
+            // A skyline: no two of its corners touch.
+            const auto square = [=](double at) { return static_cast<uint32_t>(squares * (at + 0.5 / cells)); };
+            mesh.regions[t] = square(low.y()) > random_below(seed, square(low.x()), 0, squares);
+        }
+        Geodesics geodesics(mesh);
+        ASSERT_FALSE(geodesics.blocks.flipped.empty());
+        const uint32_t inside[] = {0};
+        const RegionSet within(inside, 1, test_memory());
+        const GeodesicRegion region = run_haltingly(test_memory(), [&](Pace& pace) {
+            return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within);
+        });
+        Soup cut;
+        for (uint32_t v = 0; v < mesh.vertex_count(); ++v) cut.positions.push_back(mesh.positions[v]);
+        for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+            if (mesh.regions[t] == 0) cut.triangles.push_back(mesh.triangles[t]);
+        }
+        const uint32_t source = cut.triangles[cut.triangles.size() / 2][0];
+        const auto distances = geodesics.distances({{source, 0, 0}}, {}, true, &region);
+        const auto alone = distances_of_used(cut, source);
+        for (uint32_t v = 0; v < distances.size(); ++v) {
+            ASSERT_EQ(distances[v] == unreachable, alone[v] == unreachable) << seed << ", " << v;
+            if (alone[v] == unreachable) continue;
+            EXPECT_NEAR(distances[v], alone[v], 0.02 * alone[v] + 1e-6) << seed << ", " << v;
+        }
+    }
+}
+
 TEST(RefinedSolver, TakesDegenerateTrianglesAndFansOfAThousand) {
     // A cone of many slivers, one of its triangles without area, and two vertices in one place.
     Soup soup;

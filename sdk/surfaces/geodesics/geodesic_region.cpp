@@ -19,7 +19,9 @@ public:
           ends_(memory),
           flipped_(memory),
           region_(memory),
-          surface_{mesh, positions, &within, &flipped_, &blocks.flipped} {}
+          surface_{mesh, positions, &within, &flipped_, &blocks.flipped},
+          fan_(blocks, surface_, memory),
+          corners_(memory) {}
 
     static Task<GeodesicRegion> build(Pace& pace, RegionBuilder& builder);
 
@@ -27,6 +29,7 @@ private:
     void find_ends(uint32_t triangle);
     static Task<void> list_groups(Pace& pace, RegionBuilder& builder, std::pmr::deque<uint32_t>& triangles);
     static Task<void> flip_anew(Pace& pace, RegionBuilder& builder);
+    void build_from_corners(uint32_t vertex);
     void close(uint32_t vertex);
     template <class Visit>
     void visit_corners(uint32_t vertex, Visit visit) const;
@@ -37,6 +40,8 @@ private:
     IntrinsicTriangles flipped_;      // within the regions, of groups that reach their ends
     GeodesicRegion region_;
     const IntrinsicSurface surface_;
+    IntrinsicFan fan_;
+    std::pmr::vector<Corner> corners_;  // of the vertex at hand, within the regions
 };
 
 void RegionBuilder::find_ends(uint32_t triangle) {
@@ -85,38 +90,50 @@ Task<void> RegionBuilder::flip_anew(Pace& pace, RegionBuilder& builder) {
     co_await list_groups(pace, builder, request.restored);
     if (request.restored.empty()) co_return;
     const IntrinsicSurface& surface = builder.surface_;
-    const GeodesicBlocks& blocks = builder.blocks_;
-    GeodesicRegion& region = builder.region_;
     const std::pmr::deque<uint32_t> changed = co_await flip_edges(pace, surface, request, builder.flipped_);
     const Buffer<CornerOfVertex> corners = co_await corners_by_vertex(pace, surface, changed);
-    co_await IndexTable::reserve(pace, region.first_of_rank_, corners.size() + builder.ends_.size());
-    IntrinsicFan fan(blocks, surface, pace.memory());
-    std::pmr::vector<Corner> of_vertex(pace.memory());
+    co_await IndexTable::reserve(pace, builder.region_.first_of_rank_, corners.size() + builder.ends_.size());
     co_await each(pace, corners.size(), Cost::microseconds, [&](uint32_t i) {
-        const uint32_t vertex = corners[i].vertex, rank = blocks.rank_of_vertex[vertex];
-        of_vertex.push_back(corners[i].corner);
+        const uint32_t vertex = corners[i].vertex;
+        builder.corners_.push_back(corners[i].corner);
         if (i + 1 < corners.size() && corners[i + 1].vertex == vertex) return;
         builder.visit_corners(vertex, [&](Corner corner) {
             const uint32_t triangle = triangle_of(corner);
-            if (surface.contains(triangle) && !surface.find(triangle)) of_vertex.push_back(corner);
+            if (surface.contains(triangle) && !surface.find(triangle)) builder.corners_.push_back(corner);
         });
-        fan.gather(vertex, of_vertex);
-        of_vertex.clear();
-        const size_t first = region.blocks_.size();
-        FanWriter writer([&]() -> GeodesicBlock& { return region.blocks_.emplace_back(); });
-        fan.write(writer);
-        region.first_of_rank_.insert(rank, static_cast<uint32_t>(first));
-        for (size_t at = first; at < region.blocks_.size(); ++at) {
-            set_curvatures(blocks, rank, region.blocks_[at]);
-            region.longest_edge_ = std::max(region.longest_edge_, region.blocks_[at].longest_edge());
-        }
+        builder.build_from_corners(vertex);
     });
 }
 
-// The triangles between lanes are in the order of the fan's corners. Lanes of no triangle inside are closed themselves.
+void RegionBuilder::build_from_corners(uint32_t vertex) {
+    const uint32_t rank = blocks_.rank_of_vertex[vertex];
+    fan_.gather(vertex, corners_);
+    corners_.clear();
+    const size_t first = region_.blocks_.size();
+    FanWriter writer([&]() -> GeodesicBlock& { return region_.blocks_.emplace_back(); });
+    fan_.write(writer);
+    region_.first_of_rank_.insert(rank, static_cast<uint32_t>(first));
+    for (size_t at = first; at < region_.blocks_.size(); ++at) {
+        set_curvatures(blocks_, rank, region_.blocks_[at]);
+        region_.longest_edge_ = std::max(region_.longest_edge_, region_.blocks_[at].longest_edge());
+    }
+}
+
+// The triangles between lanes are in the order of the fan's corners, unless one of them is flipped: outside, since what
+// was flipped within is built. Lanes of no triangle inside are closed themselves.
 void RegionBuilder::close(uint32_t vertex) {
     const uint32_t rank = blocks_.rank_of_vertex[vertex];
     if (region_.find(rank) != nullptr) return;
+    bool is_flipped = false;
+    visit_corners(vertex, [&](Corner corner) {
+        is_flipped = is_flipped || blocks_.flipped.find(triangle_of(corner)) != nullptr;
+        if (surface_.contains(triangle_of(corner))) corners_.push_back(corner);
+    });
+    if (is_flipped) {
+        build_from_corners(vertex);
+        return;
+    }
+    corners_.clear();
     region_.first_of_rank_.insert(rank, static_cast<uint32_t>(region_.blocks_.size()));
     Corner corner = mesh_.corner_of_vertex[vertex];
     visit_blocks(blocks_, rank, [&](const GeodesicBlock& block, uint32_t) {
@@ -142,7 +159,7 @@ Task<GeodesicRegion> RegionBuilder::build(Pace& pace, RegionBuilder& builder) {
     });
     co_await flip_anew(pace, builder);
     co_await IndexTable::reserve(pace, builder.region_.first_of_rank_, builder.ends_.size());
-    co_await each(pace, builder.ends_.size(), Cost::hundreds_of_ns,
+    co_await each(pace, builder.ends_.size(), Cost::microseconds,
                   [&](uint32_t i) { builder.close(builder.ends_[i]); });
     co_return std::move(builder.region_);
 }
