@@ -60,7 +60,7 @@ struct Context {
           motions(HandleKind::motion, salt, memory[MemoryKind::runtime]),
           pulls(HandleKind::pull, salt, memory[MemoryKind::runtime]),
           pulled(HandleKind::pulled, salt, memory[MemoryKind::runtime]),
-          runtime(desc, memory[MemoryKind::runtime]) {}
+          runtime(desc, memory[MemoryKind::runtime], memory.large_blocks()) {}
 
     // An object for a handle of the table, in the memory it is counted as; which is its last argument, if it takes it.
     template <class T, class... Arguments>

@@ -14,6 +14,7 @@ class HostMemory final : public std::pmr::memory_resource {
 public:
     // A hook with null functions stands for aligned operator new and delete.
     explicit HostMemory(const FlgAllocator& allocator) : allocator_(allocator) {}
+    bool is_hooked() const { return allocator_.allocate != nullptr; }
 
 private:
     void* do_allocate(size_t size, size_t alignment) override {

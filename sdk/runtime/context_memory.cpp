@@ -41,6 +41,15 @@ constexpr const char* limit_names[] = {"the limit of styles",     "the limit of 
                                        "the limit of models",     "the limit of caches",   "the limit of scratch",
                                        "the limit of the runtime"};
 
+// The address sanitizer knows the ends of what `new` returns, not those of pages.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool finds_overflows = true;
+#elif defined(__has_feature)
+constexpr bool finds_overflows = __has_feature(address_sanitizer);
+#else
+constexpr bool finds_overflows = false;
+#endif
+
 // Of the job whose slice this thread runs.
 constinit thread_local JobAccount* running_account = nullptr;
 
@@ -81,6 +90,23 @@ void ContextMemory::set_limit(FlgMemoryKind kind, uint64_t limit) noexcept {
     counter.limit.store(limit, std::memory_order_relaxed);
 }
 
+bool ContextMemory::is_large(size_t size, size_t alignment) const {
+    constexpr size_t page = 4096;
+    return !finds_overflows && !host_.is_hooked() && size >= LargeBlocks::least && alignment <= page;
+}
+
+void* ContextMemory::take_block(size_t size, size_t alignment) {
+    return is_large(size, alignment) ? large_blocks_.take(size) : host_.allocate(size, alignment);
+}
+
+void ContextMemory::give_back_block(void* block, size_t size, size_t alignment) noexcept {
+    if (is_large(size, alignment)) {
+        large_blocks_.give_back(block, size);
+    } else {
+        host_.deallocate(block, size, alignment);
+    }
+}
+
 void* ContextMemory::take(MemoryKind kind, size_t size, size_t alignment) {
     const size_t tag_at = tag_offset(size);
     const size_t whole = tag_at + sizeof(Tag);
@@ -90,7 +116,7 @@ void* ContextMemory::take(MemoryKind kind, size_t size, size_t alignment) {
     try {
         total_.reserve(whole, total_limit);
         try {
-            block = static_cast<std::byte*>(host_.allocate(whole, std::max(alignment, alignof(Tag))));
+            block = static_cast<std::byte*>(take_block(whole, std::max(alignment, alignof(Tag))));
         } catch (...) {
             total_.subtract(whole);
             throw;
@@ -120,7 +146,7 @@ void ContextMemory::give_back(void* block, size_t size, size_t alignment) noexce
     static_assert(sizeof(Tag) == sizeof(void*));
     std::memcpy(&tag, static_cast<std::byte*>(block) + tag_at, sizeof tag);
     std::memcpy(&address, static_cast<std::byte*>(block) + tag_at, sizeof tag);
-    host_.deallocate(block, whole, std::max(alignment, alignof(Tag)));
+    give_back_block(block, whole, std::max(alignment, alignof(Tag)));
     total_.subtract(whole);
     if (tag < kind_count) {
         counter(static_cast<MemoryKind>(tag)).subtract(whole);

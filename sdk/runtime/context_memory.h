@@ -6,7 +6,8 @@
 //   where it belongs whoever frees it, and containers of one context trade blocks whatever their kinds.
 // - What the slices of a job take of the kind `scratch` stands in the job's account. At the end of the job that is what
 //   its result keeps: from then on it counts as the kind of the result.
-// - The kinds together are what the host's allocator has handed out, to the byte.
+// - The kinds together are what the host's allocator has handed out, to the byte. Without one, large blocks that wait
+//   to be used again are not in it.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@
 #include "core/failure.h"
 #include "core/host_memory.h"
 #include "runtime/host.h"
+#include "runtime/large_blocks.h"
 
 namespace flg {
 
@@ -39,6 +41,7 @@ public:
     // 0: none.
     void set_limit(FlgMemoryKind kind, uint64_t limit) noexcept;
     const HostMemory& host() const { return host_; }
+    LargeBlocks& large_blocks() { return large_blocks_; }
 
 private:
     friend class JobMemory;
@@ -84,7 +87,12 @@ private:
     Counter& counter(MemoryKind kind) { return counters_[static_cast<size_t>(kind)]; }
     void close(JobAccount& account) noexcept;
 
+    bool is_large(size_t size, size_t alignment) const;
+    void* take_block(size_t size, size_t alignment);
+    void give_back_block(void* block, size_t size, size_t alignment) noexcept;
+
     HostMemory host_;
+    LargeBlocks large_blocks_;
     std::array<Kind, kind_count> kinds_;
     std::array<Counter, kind_count> counters_;
     Counter total_;

@@ -21,11 +21,12 @@ uint32_t thread_count_of(const FlgContextDesc& desc) {
 
 }  // namespace
 
-Runtime::Runtime(const FlgContextDesc& desc, Memory* memory)
+Runtime::Runtime(const FlgContextDesc& desc, Memory* memory, LargeBlocks& large_blocks)
     : memory_(memory),
+      large_blocks_(large_blocks),
       host_(hook_or_none(desc.clock), hook_or_none(desc.log), hook_or_none(desc.profiler)),
       threading_(threading_of(desc)),
-      scheduler_(host_, memory, thread_count_of(desc), desc.worker_budget_us) {
+      scheduler_(host_, memory, large_blocks, thread_count_of(desc), desc.worker_budget_us) {
     if (threading_ == Threading::workers) crew_ = &workers_.emplace(scheduler_, desc.worker_count, memory);
     if (threading_ == Threading::host) crew_ = &host_tasks_.emplace(scheduler_, *desc.job_system);
 }
@@ -46,6 +47,7 @@ FlgFrameReport Runtime::tick(uint32_t budget_us) {
     FlgFrameReport report{};
     report.struct_size = sizeof report;
     report.frame = ++frame_;
+    large_blocks_.begin_frame();
     if (crew_) crew_->begin_frame();
     scheduler_.publish_progress();
     report.jobs_finished = scheduler_.publish(deadline_ns, &report.callback_us);

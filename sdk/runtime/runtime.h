@@ -17,7 +17,7 @@ namespace flg {
 class Runtime {
 public:
     // Hooks may be null; they are copied.
-    Runtime(const FlgContextDesc& desc, Memory* memory);
+    Runtime(const FlgContextDesc& desc, Memory* memory, LargeBlocks& large_blocks);
     ~Runtime();
 
     FlgFrameReport tick(uint32_t budget_us);
@@ -33,6 +33,7 @@ public:
 
 private:
     Memory* memory_;
+    LargeBlocks& large_blocks_;
     Host host_;
     Threading threading_;
     Scheduler scheduler_;

@@ -96,7 +96,22 @@ Strand* Scheduler::pop() {
 
 // ---- running (any thread) ----------------------------------------------------------------------------------------
 
+bool Scheduler::unmap_piece() {
+    if (!large_blocks_.has_unwanted()) return false;
+    const uint64_t start_ns = host_.now_ns();
+    if (!large_blocks_.unmap_piece()) return false;
+    const uint64_t duration_ns = host_.now_ns() - start_ns;
+    std::lock_guard lock(mutex_);
+    statistics_.busy_ns += duration_ns;
+    if (duration_ns > statistics_.longest.duration_ns) {
+        statistics_.longest = {duration_ns, "memory"};
+        statistics_.max_job = {};
+    }
+    return true;
+}
+
 bool Scheduler::run_next(uint64_t deadline_ns) {
+    if (unmap_piece()) return true;
     Strand* strand;
     {
         std::lock_guard lock(mutex_);

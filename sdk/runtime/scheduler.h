@@ -15,6 +15,7 @@
 #include <mutex>
 
 #include "runtime/job.h"
+#include "runtime/large_blocks.h"
 
 namespace flg {
 
@@ -25,8 +26,12 @@ enum class Threading { none, workers, host };
 
 class Scheduler {
 public:
-    Scheduler(const Host& host, Memory* memory, uint32_t threads, uint32_t worker_budget_us)
-        : host_(host), memory_(memory), threads_(threads), worker_budget_ns_(worker_budget_us * uint64_t{1000}) {}
+    Scheduler(const Host& host, Memory* memory, LargeBlocks& large_blocks, uint32_t threads, uint32_t worker_budget_us)
+        : host_(host),
+          memory_(memory),
+          large_blocks_(large_blocks),
+          threads_(threads),
+          worker_budget_ns_(worker_budget_us * uint64_t{1000}) {}
 
     ~Scheduler();
 
@@ -58,12 +63,13 @@ public:
 
     // ---- any thread ----
 
-    // Runs one slice of the first ready strand; false if none was ready.
+    // Runs one slice of the first ready strand, or unmaps a piece of unwanted memory; false if there was neither.
     bool run_next(uint64_t deadline_ns);
 
     // For the threads that run strands.
     std::mutex& mutex() { return mutex_; }
-    uint32_t ready_count() const { return ready_count_; }  // with the mutex held
+    // Strands, and one for memory to be unmapped. With the mutex held.
+    uint32_t ready_count() const { return ready_count_ + (large_blocks_.has_unwanted() ? 1 : 0); }
     const Host& host() const { return host_; }
     Memory* memory() const { return memory_; }
     uint32_t threads() const { return threads_; }
@@ -88,6 +94,7 @@ private:
     void push_front(Strand& strand);
     void hurry(Job& job);
     Strand* pop();
+    bool unmap_piece();
     void end_slice(Strand& strand);
     void finish_branch(Strand& strand);
     void complete(Job& job, FlgResult result, const char* error);
@@ -102,6 +109,7 @@ private:
 
     const Host& host_;
     Memory* memory_;
+    LargeBlocks& large_blocks_;
     uint32_t threads_;
     uint64_t worker_budget_ns_;
     void (*wake_)(void*) = nullptr;

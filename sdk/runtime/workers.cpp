@@ -20,11 +20,13 @@ Workers::Workers(Scheduler& scheduler, uint32_t count, Memory* memory) : schedul
 }
 
 void Workers::begin_frame() {
+    bool has_work;
     {
         std::lock_guard lock(scheduler_.mutex());
         ++frame_;
+        has_work = scheduler_.ready_count() > 0;
     }
-    if (scheduler_.worker_budget_ns() != 0) wake_.notify_all();
+    if (has_work) wake_.notify_all();
 }
 
 bool Workers::stop() {

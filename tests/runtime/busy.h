@@ -19,6 +19,7 @@ public:
     std::atomic<int64_t> live{0};
     std::atomic<int64_t> calls{0};
     std::atomic<int64_t> fail_at{-1};  // the call that fails, -1 = none
+    LargeBlocks large_blocks;          // for the runtime to tidy
 
 private:
     void* do_allocate(size_t size, size_t alignment) override {

@@ -18,7 +18,7 @@ struct WithoutWorkers : testing::Test {
 
 TEST_F(WithoutWorkers, TickStopsAtItsBudgetAndGoesOnNextTime) {
     clock.step_ns = 1000;  // each look at the clock costs a microsecond
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     uint64_t sum = 0;
     const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 1000, 1, &sum); });
     const FlgFrameReport first = runtime.tick(100);
@@ -34,7 +34,7 @@ TEST_F(WithoutWorkers, TickStopsAtItsBudgetAndGoesOnNextTime) {
 
 // What is left of a frame may be nothing.
 TEST_F(WithoutWorkers, ABudgetOfZeroAdvancesNothing) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     uint64_t sum = 0;
     const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
     for (int i = 0; i < 100; ++i) EXPECT_EQ(runtime.tick(0).jobs_pending, 1u);
@@ -46,7 +46,7 @@ TEST_F(WithoutWorkers, ABudgetOfZeroAdvancesNothing) {
 
 TEST_F(WithoutWorkers, ProgressRisesAndIsOneExactlyWhenDone) {
     clock.step_ns = 1000;
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     uint64_t sum = 0;
     const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 500, 1, &sum); });
     float last = 0;
@@ -73,7 +73,7 @@ Task<void> add_ones(Pace& pace, uint32_t count, uint64_t& sum) {
 
 // Without tail calls (unoptimized code, thread sanitizer) each task that was awaited in a slice keeps its frame.
 TEST_F(WithoutWorkers, ATickWithoutABudgetNeedsABoundedStack) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     uint64_t sum = 0;
     submit(runtime, [&](Pace& pace) { return add_ones(pace, 1'000'000, sum); });
     EXPECT_EQ(runtime.tick(FLG_UNLIMITED).jobs_pending, 0u);
@@ -81,7 +81,7 @@ TEST_F(WithoutWorkers, ATickWithoutABudgetNeedsABoundedStack) {
 }
 
 TEST_F(WithoutWorkers, HigherPriorityRunsFirstEqualsInOrder) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     std::vector<int> order;
     const auto note = [&order](Pace& pace, int id) -> Task<void> {
         struct Body {
@@ -103,7 +103,7 @@ TEST_F(WithoutWorkers, HigherPriorityRunsFirstEqualsInOrder) {
 }
 
 TEST_F(WithoutWorkers, DependentsWaitAndFailWithTheirDependencies) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     struct Body {
         static Task<void> fail(Pace& pace) {
             co_await pace;
@@ -132,7 +132,7 @@ TEST_F(WithoutWorkers, DependentsWaitAndFailWithTheirDependencies) {
 
 TEST_F(WithoutWorkers, JobsThatWaitForOrderOnlyRunAfterAFailure) {
     clock.step_ns = 1000;
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     uint64_t never = 0, sum = 0;
     const auto failing = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 1000, 1, &never); });
     const auto ordered = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); },
@@ -164,7 +164,7 @@ TEST_F(WithoutWorkers, ACommittedJobGoesOnAlthoughCancelledButNotBeyondTheContex
     clock.step_ns = 1000;
     int whole = 0, cut_off = 0;
     {
-        Runtime runtime(desc(clock), &memory);
+        Runtime runtime(desc(clock), &memory, memory.large_blocks);
         const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace, 1000, &whole); });
         runtime.tick(50);
         ASSERT_GT(whole, 0);
@@ -182,7 +182,7 @@ TEST_F(WithoutWorkers, ACommittedJobGoesOnAlthoughCancelledButNotBeyondTheContex
 
 TEST_F(WithoutWorkers, LongChainsOfDependentsFailWithoutRecursion) {
     {
-        Runtime runtime(desc(clock), &memory);
+        Runtime runtime(desc(clock), &memory, memory.large_blocks);
         uint64_t never = 0;
         std::shared_ptr<Job> first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); });
         std::shared_ptr<Job> last = first;
@@ -199,7 +199,7 @@ TEST_F(WithoutWorkers, LongChainsOfDependentsFailWithoutRecursion) {
 }
 
 TEST_F(WithoutWorkers, TheSameDependencyManyTimesIsOne) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     uint64_t sum = 0, after = 0;
     const auto first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
     const auto second =
@@ -213,7 +213,7 @@ TEST_F(WithoutWorkers, TheSameDependencyManyTimesIsOne) {
 TEST_F(WithoutWorkers, MemoryThatRunsOutInSubmitLeavesNoTrace) {
     for (int64_t fail = 0; fail < 4; ++fail) {
         {
-            Runtime runtime(desc(clock), &memory);
+            Runtime runtime(desc(clock), &memory, memory.large_blocks);
             uint64_t sum = 0, never = 0;
             const auto first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
             std::shared_ptr<Job> job = runtime.scheduler().make_job(runtime.memory());
@@ -238,7 +238,7 @@ TEST_F(WithoutWorkers, MemoryThatRunsOutInSubmitLeavesNoTrace) {
 
 TEST_F(WithoutWorkers, ACancelledJobDoesNotWaitItsTurn) {
     clock.step_ns = 1000;
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     struct Body {
         static Task<void> run(Pace& pace) {
             for (;;) co_await pace;
@@ -261,7 +261,7 @@ TEST_F(WithoutWorkers, ACancelledJobDoesNotWaitItsTurn) {
 
 TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
     FlgContextDesc d = desc(clock);
-    Runtime runtime(d, &memory);
+    Runtime runtime(d, &memory, memory.large_blocks);
     std::vector<uint64_t> order;
     std::vector<std::shared_ptr<Job>> jobs;
     uint64_t sums[4];
@@ -285,7 +285,7 @@ TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
 }
 
 TEST_F(WithoutWorkers, ABudgetOfCallbacksIsKept) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     uint64_t sums[5];
     for (uint64_t& sum : sums) {
         const auto job = runtime.scheduler().make_job(runtime.memory());
@@ -303,7 +303,7 @@ TEST_F(WithoutWorkers, ABudgetOfCallbacksIsKept) {
 }
 
 TEST_F(WithoutWorkers, TheLongestChunkIsNamed) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     struct Body {
         static Task<void> run(Pace& pace, ManualClock& time) {
             pace.stage("short");
@@ -325,7 +325,7 @@ TEST_F(WithoutWorkers, TheLongestChunkIsNamed) {
 }
 
 TEST_F(WithoutWorkers, AChunkBeforeTheFirstStageIsNamedToo) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     struct Body {
         static Task<void> run(Pace& pace, ManualClock& time) {
             time.now_ns += 70'000;
@@ -341,7 +341,7 @@ TEST_F(WithoutWorkers, AChunkBeforeTheFirstStageIsNamedToo) {
 }
 
 TEST_F(WithoutWorkers, CancelledJobsFreeWhatTheyHold) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     clock.step_ns = 1000;
     struct Body {
         static Task<void> run(Pace& pace) {
@@ -361,7 +361,7 @@ TEST_F(WithoutWorkers, CancelledJobsFreeWhatTheyHold) {
 }
 
 TEST_F(WithoutWorkers, TicksAllocateNothingInSteadyState) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     clock.step_ns = 1000;
     uint64_t sum;
     const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 100'000, 1, &sum); });
@@ -373,7 +373,7 @@ TEST_F(WithoutWorkers, TicksAllocateNothingInSteadyState) {
 }
 
 TEST_F(WithoutWorkers, MemoryThatRunsOutFailsTheJobAndNothingElse) {
-    Runtime runtime(desc(clock), &memory);
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
     struct Body {
         static Task<void> run(Pace& pace) {
             std::pmr::vector<char> taken(100, pace.memory());

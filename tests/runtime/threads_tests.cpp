@@ -92,7 +92,7 @@ TEST(Threads, SameResultsWithAnyNumberOfWorkersAndAnyBudget) {
             FlgContextDesc desc{};
             desc.worker_count = workers;
             desc.worker_budget_us = worker_budget_us;
-            Runtime runtime(desc, &memory);
+            Runtime runtime(desc, &memory, memory.large_blocks);
             expect_sums(runtime, 100);
         }
         EXPECT_EQ(memory.live, 0);
@@ -105,7 +105,7 @@ TEST(Threads, SameResultsInTheHostsJobSystem) {
     for (uint32_t concurrency : {1u, 2u, 8u}) {
         FlgContextDesc desc{};
         desc.job_system = pool.hook(concurrency);
-        Runtime runtime(desc, &memory);
+        Runtime runtime(desc, &memory, memory.large_blocks);
         expect_sums(runtime, 100);
         while (!runtime.stop()) std::this_thread::yield();
     }
@@ -124,7 +124,7 @@ TEST(Threads, AJobSystemThatNeverRunsOurTasksKeepsTheContextAlive) {
     desc.job_system = &system;
     CountingMemory memory;
     {
-        Runtime runtime(desc, &memory);
+        Runtime runtime(desc, &memory, memory.large_blocks);
         uint64_t sum = 0;
         const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 100, 1, &sum); });
         runtime.tick(100);
@@ -165,7 +165,7 @@ TEST(Threads, WorkersKeepTheirBudgetBetweenTicks) {
     desc.worker_budget_us = 200;
     desc.clock = clock.hook();
     CountingMemory memory;
-    Runtime runtime(desc, &memory);
+    Runtime runtime(desc, &memory, memory.large_blocks);
     submit(runtime, [&](Pace& pace) { return Endless::run(pace); });
     EXPECT_LT(worker_us_per_tick(runtime), 250.0f);
 }
@@ -181,7 +181,7 @@ TEST(Threads, WorkersThatSpentTheirBudgetSleep) {
     desc.worker_count = 4;
     desc.worker_budget_us = 200;
     CountingMemory memory;
-    Runtime runtime(desc, &memory);
+    Runtime runtime(desc, &memory, memory.large_blocks);
     for (int i = 0; i < 8; ++i) submit(runtime, [&](Pace& pace) { return Endless::run(pace); });
     const double before = process_cpu_seconds();
     for (int i = 0; i < 4; ++i) {
@@ -201,7 +201,7 @@ TEST(Threads, TheHostsJobSystemKeepsTheBudgetToo) {
     clock.step_ns = 1000;
     desc.clock = clock.hook();
     CountingMemory memory;
-    Runtime runtime(desc, &memory);
+    Runtime runtime(desc, &memory, memory.large_blocks);
     for (int i = 0; i < 4; ++i) submit(runtime, [&](Pace& pace) { return Endless::run(pace); });
     EXPECT_LT(worker_us_per_tick(runtime), 300.0f);
     while (!runtime.stop()) std::this_thread::yield();
@@ -219,7 +219,7 @@ TEST(Threads, TheFailureOfTheSmallestIndexComesOutOfAFork) {
         FlgContextDesc desc{};
         desc.worker_count = workers;
         CountingMemory memory;
-        Runtime runtime(desc, &memory);
+        Runtime runtime(desc, &memory, memory.large_blocks);
         const auto job = submit(runtime, [&](Pace& pace) { return Body::all(pace, 0); });
         tick_until_done(runtime);
         EXPECT_EQ(job->status.result, FLG_ERROR_LIMIT);
@@ -234,7 +234,7 @@ TEST(Threads, RandomCancellationLosesNothing) {
         desc.worker_count = workers;
         {
             std::vector<Sums> many(60, Sums{std::vector<uint64_t>(20)});  // outlives the workers
-            Runtime runtime(desc, &memory);
+            Runtime runtime(desc, &memory, memory.large_blocks);
             std::vector<std::shared_ptr<Job>> jobs;
             for (uint32_t i = 0; i < many.size(); ++i) {
                 if (i % 3 == 2) {
