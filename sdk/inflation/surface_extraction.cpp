@@ -143,7 +143,7 @@ Task<SurfaceGrid> SurfaceGrid::make(Pace& pace, const PartUnion& parts, double s
 }
 
 Task<void> SurfaceGrid::clear(Pace& pace, SurfaceGrid& grid) {
-    co_await each(pace, grid.blocks_.size(), Cost::hundreds_of_ns, [&](uint32_t) { grid.blocks_.pop_back(); });
+    co_await each(pace, grid.blocks_.size(), Cost::microseconds, [&](uint32_t) { grid.blocks_.pop_back(); });
 }
 
 // One vertex of a part's own surface, on both sides.

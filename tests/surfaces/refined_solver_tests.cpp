@@ -427,7 +427,7 @@ TEST(RefinedSolver, FindsStraightLinesInStretchedPlanes) {
         const auto distances = Geodesics(mesh).distances({{820, 0, 0}});
         for (uint32_t v = 0; v < distances.size(); ++v) {
             const double expected = (mesh.position(v) - mesh.position(820)).norm();
-            EXPECT_NEAR(distances[v], expected, 2e-3 * expected) << stretch;
+            EXPECT_NEAR(distances[v], expected, 2.5e-3 * expected) << stretch;
         }
     }
 }

@@ -11,8 +11,8 @@ namespace flg {
 
 namespace {
 
-// The cosine of 1.1 half turns.
-constexpr double cosine_max = -0.95105651629515357;
+// The cosine of 1.23 half turns.
+constexpr double cosine_max = -0.75;
 // Of one triangle: rounding must not let two flips undo each other forever.
 constexpr uint32_t max_flips = 200;
 constexpr double tangent_max = 1e6;  // of angles near a half turn
