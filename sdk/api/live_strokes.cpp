@@ -298,6 +298,7 @@ FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJo
         }
         Submission submission(self, job);
         NewSets sets(self);
+        if (!job) submission.job().priority = FLG_PRIORITY_HIGH;
         const auto ending = make_object<LiveEnding>(memory);
         ending->stroke = ended;
         ending->handle = stroke.id;
@@ -346,6 +347,7 @@ FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t 
         }
         Submission submission(self, job);
         NewSets sets(self);
+        if (!job) submission.job().priority = FLG_PRIORITY_HIGH;
         const auto split = make_object<LiveSplit>(memory);
         split->stroke = cut;
         split->point = point;

@@ -17,6 +17,7 @@
 
 namespace flg {
 
+class Fork;
 class Job;
 
 // What a job makes. The host sees it through a handle; what the handle shows changes when these are called.
@@ -40,9 +41,10 @@ struct Prerequisite {
     bool order_only;  // it has to be done, but may have failed
 };
 
-// That one job waits for another: kept in the waiting job, listed by the other.
+// That one job waits for another: kept in the waiting job, listed by the other until that is done.
 struct Dependency {
     std::shared_ptr<Job> waiting;
+    Job* awaited = nullptr;
     Dependency* next = nullptr;
     bool order_only = false;
 };
@@ -62,7 +64,6 @@ public:
 
     const Host& host;
     const uint32_t concurrency;  // strands a fork may use
-    FlgPriority priority = FLG_PRIORITY_NORMAL;
     bool partial_results = false;
     uint64_t serial = 0;  // order of submission
     FlgJob handle{};
@@ -82,8 +83,10 @@ public:
     std::atomic<uint64_t> expected_units{0}, done_units{0};
 
     // Live, guarded by the scheduler's mutex. The stages belong to the job's first strand while it runs.
+    FlgPriority priority = FLG_PRIORITY_NORMAL;  // at least that of every job that waits for this one
     bool started = false;
     bool done = false;
+    Fork* fork = nullptr;                       // whose branches run now
     uint32_t waiting_for = 0;                   // dependencies that are not done
     std::pmr::vector<Dependency> dependencies;  // what this job waits for
     Dependency* dependents = nullptr;           // who waits for this job
@@ -96,7 +99,8 @@ public:
     std::shared_ptr<Job> next_started;  // in the scheduler's list of started jobs
     Job* next_finished = nullptr;       // in its list of finished ones
     Job* previous_finished = nullptr;
-    Job* next_failing = nullptr;  // while a failure spreads
+    std::shared_ptr<Job> next_settling;  // in its list of jobs that are done and whose dependents are to be told
+    Job* next_raised = nullptr;          // while a priority spreads
 
     // The scheduler's list of all jobs that are not published yet; it owns them. Host's thread only.
     std::shared_ptr<Job> self;

@@ -26,68 +26,99 @@ void describe_failed_dependency(const Job& failed, Job& dependent) {
 
 Scheduler::~Scheduler() {
     // One by one: lists of shared pointers would free themselves recursively.
-    while (started_) started_ = std::exchange(started_->next_started, nullptr);
-    while (first_pending_) {
-        const std::shared_ptr<Job> job = first_pending_->self;
-        while (Dependency* dependency = job->dependents) {
-            job->dependents = dependency->next;
+    const auto forget_dependents = [](Job& job) {
+        while (Dependency* dependency = job.dependents) {
+            job.dependents = dependency->next;
             const std::shared_ptr<Job> waiting = std::move(dependency->waiting);
         }
+    };
+    while (started_) started_ = std::exchange(started_->next_started, nullptr);
+    while (const std::shared_ptr<Job> job = std::move(first_settling_)) {
+        first_settling_ = std::move(job->next_settling);
+        forget_dependents(*job);
+    }
+    while (first_pending_) {
+        const std::shared_ptr<Job> job = first_pending_->self;
+        forget_dependents(*job);
         remove_pending(*job);
     }
 }
 
 // ---- queues (mutex held) ---------------------------------------------------------------------------------------
 
-void Scheduler::push_back(Strand& strand) {
-    Queue& queue = queue_of(strand.job);
+ReadyQueue& Scheduler::queue_of(const Job& job) {
+    if (job.given_up()) return ready_.back();
+    const auto priority = static_cast<size_t>(job.priority - FLG_PRIORITY_LOW);
+    return ready_[2 * priority + (job.busy_ns < short_ns ? 1 : 0)];
+}
+
+// Null: at the end.
+void Scheduler::insert(Strand& strand, Strand* before) {
+    ReadyQueue& queue = queue_of(strand.job);
     ++ready_count_;
-    strand.next = nullptr;
-    (queue.last ? queue.last->next : queue.first) = &strand;
-    queue.last = &strand;
+    strand.queue = &queue;
+    strand.next = before;
+    strand.previous = before ? before->previous : queue.last;
+    (strand.previous ? strand.previous->next : queue.first) = &strand;
+    (before ? before->previous : queue.last) = &strand;
+}
+
+void Scheduler::push_back(Strand& strand) {
+    insert(strand, nullptr);
 }
 
 void Scheduler::push_front(Strand& strand) {
-    Queue& queue = queue_of(strand.job);
-    ++ready_count_;
-    strand.next = queue.first;
-    queue.first = &strand;
-    if (!queue.last) queue.last = &strand;
+    insert(strand, queue_of(strand.job).first);
 }
 
-// Strands of a cancelled job go first, whatever its priority: they only have to be taken down.
-void Scheduler::hurry(Job& job) {
-    Queue& queue = queue_of(job);
-    Queue& urgent = ready_[priority_count - 1];
-    Strand* before = nullptr;
-    for (Strand* strand = queue.first; strand;) {
-        Strand* const next = strand->next;
-        if (&strand->job == &job && before) {
-            before->next = next;
-            if (queue.last == strand) queue.last = before;
-            strand->next = urgent.first;
-            urgent.first = strand;
-            if (!urgent.last) urgent.last = strand;
-        } else if (&strand->job == &job && &queue != &urgent) {
-            queue.first = next;
-            if (queue.last == strand) queue.last = nullptr;
-            strand->next = urgent.first;
-            urgent.first = strand;
-            if (!urgent.last) urgent.last = strand;
-        } else {
-            before = strand;
+void Scheduler::push_for_next_turn(Strand& strand, uint64_t busy_ns) {
+    const Job& job = strand.job;
+    if (job.busy_ns < short_ns) return push_front(strand);
+    if (job.busy_ns - busy_ns < short_ns) return push_back(strand);
+    Strand* before = queue_of(job).first;
+    for (uint32_t i = 1; i < turns && before; ++i) before = before->next;
+    insert(strand, before);
+}
+
+void Scheduler::remove(Strand& strand) {
+    --ready_count_;
+    (strand.previous ? strand.previous->next : strand.queue->first) = strand.next;
+    (strand.next ? strand.next->previous : strand.queue->last) = strand.previous;
+    strand.queue = nullptr;
+}
+
+// The queue it belongs in is another one now.
+void Scheduler::requeue(Job& job) {
+    const auto move = [this](Strand& strand) {
+        if (!strand.queue) return;
+        remove(strand);
+        push_back(strand);
+    };
+    move(job.strand);
+    if (job.fork)
+        for (Strand& branch : job.fork->branches) move(branch);
+}
+
+// Also what the job waits for.
+void Scheduler::raise(Job& job, FlgPriority priority) {
+    job.priority = priority;
+    job.next_raised = nullptr;
+    for (Job *raised = &job, *last = &job; raised; raised = raised->next_raised) {
+        if (raised != &job) requeue(*raised);
+        for (const Dependency& dependency : raised->dependencies) {
+            Job* const awaited = dependency.awaited;
+            if (!awaited || awaited->priority >= priority) continue;
+            awaited->priority = priority;
+            awaited->next_raised = nullptr;
+            last = last->next_raised = awaited;
         }
-        strand = next;
     }
 }
 
 Strand* Scheduler::pop() {
-    for (int p = priority_count - 1; p >= 0; --p) {
-        Queue& queue = ready_[p];
-        if (Strand* strand = queue.first) {
-            queue.first = strand->next;
-            if (!queue.first) queue.last = nullptr;
-            --ready_count_;
+    for (size_t q = ready_.size(); q-- > 0;) {
+        if (Strand* const strand = ready_[q].first) {
+            remove(*strand);
             return strand;
         }
     }
@@ -115,6 +146,7 @@ bool Scheduler::run_next(uint64_t deadline_ns) {
     Strand* strand;
     {
         std::lock_guard lock(mutex_);
+        if (tell_dependents()) return true;
         strand = pop();
         if (!strand) return false;
         Job& job = strand->job;
@@ -197,10 +229,11 @@ void Scheduler::end_slice(Strand& strand) {
         if (Fork* fork = strand.pace.forked) {
             // The branches start only now, when nothing refers to the parent's slice any more.
             strand.pace.forked = nullptr;
+            job.fork = fork;
             for (Strand& branch : fork->branches) push_back(branch);
             woke = true;
         } else if (!done) {
-            push_front(strand);
+            push_for_next_turn(strand, busy_ns);
         } else if (first) {
             complete(job, result, error);
             woke = true;
@@ -213,38 +246,47 @@ void Scheduler::end_slice(Strand& strand) {
 
 void Scheduler::finish_branch(Strand& strand) {
     Fork& fork = *strand.member_of;
-    if (--fork.unfinished == 0) push_front(fork.parent);
+    if (--fork.unfinished > 0) return;
+    fork.parent.job.fork = nullptr;
+    push_front(fork.parent);
 }
 
-// Mutex held. Jobs that depend on a failed one fail too, however long the chain.
+// Mutex held.
 void Scheduler::complete(Job& job, FlgResult result, const char* error) {
-    Job* failing = nullptr;
-    settle(job, result, error, failing);
-    while (failing) {
-        Job& next = *std::exchange(failing, failing->next_failing);
-        settle(next, FLG_ERROR_DEPENDENCY, next.error, failing);
-    }
-    publishable_.notify_all();
-}
-
-// Marks one job done; dependents that can't run any more are put on the list `failing`, with their sentence.
-void Scheduler::settle(Job& job, FlgResult result, const char* error, Job*& failing) {
     job.done = true;
     job.result = result;
     if (error != job.error) std::snprintf(job.error, sizeof job.error, "%s", error);
     add_finished(job);
-    while (Dependency* dependency = job.dependents) {
-        job.dependents = dependency->next;
-        const std::shared_ptr<Job> dependent = std::move(dependency->waiting);
-        if (dependent->done) continue;
-        if (result == FLG_OK || dependency->order_only) {
-            if (--dependent->waiting_for == 0) push_back(dependent->strand);
-        } else {
-            dependent->done = true;
-            describe_failed_dependency(job, *dependent);
-            dependent->next_failing = std::exchange(failing, dependent.get());
-        }
+    if (job.dependents) {
+        Job* const before = std::exchange(last_settling_, &job);
+        (before ? before->next_settling : first_settling_) = job.shared_from_this();
+        if (!before) tell_dependents();
     }
+    publishable_.notify_all();
+}
+
+// Mutex held. Those of a failed job fail too, however long the chain. False if there is nobody to be told.
+bool Scheduler::tell_dependents() {
+    if (!first_settling_) return false;
+    for (uint32_t told = 0; told < most_told && first_settling_; ++told) {
+        Job& job = *first_settling_;
+        Dependency* const dependency = job.dependents;
+        job.dependents = dependency->next;
+        dependency->awaited = nullptr;
+        const std::shared_ptr<Job> dependent = std::move(dependency->waiting);
+        const bool goes_on = job.result == FLG_OK || dependency->order_only;
+        if (!dependent->done && goes_on) {
+            if (--dependent->waiting_for == 0) push_back(dependent->strand);
+        } else if (!dependent->done) {
+            describe_failed_dependency(job, *dependent);
+            complete(*dependent, FLG_ERROR_DEPENDENCY, dependent->error);
+        }
+        if (job.dependents) continue;
+        const std::shared_ptr<Job> settled = std::move(first_settling_);
+        first_settling_ = std::move(settled->next_settling);
+        if (!first_settling_) last_settling_ = nullptr;
+    }
+    return true;
 }
 
 // Into the list of finished jobs, which is in order of submission. Most belong near its end.
@@ -277,7 +319,7 @@ void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequi
         for (size_t i = 0; i < prerequisites.size(); ++i) {
             Job& other = *prerequisites[i].job;
             if (!other.done) {
-                job->dependencies[i] = {job, other.dependents, prerequisites[i].order_only};
+                job->dependencies[i] = {job, &other, other.dependents, prerequisites[i].order_only};
                 other.dependents = &job->dependencies[i];
                 ++job->waiting_for;
             } else if (other.result != FLG_OK && !prerequisites[i].order_only && !failed) {
@@ -290,6 +332,8 @@ void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequi
         } else if (job->waiting_for == 0) {
             push_back(job->strand);
             ready = true;
+        } else {
+            raise(*job, job->priority);
         }
     }
     append_pending(std::move(job));
@@ -321,7 +365,7 @@ void Scheduler::cancel(Job& job) {
             complete(job, FLG_ERROR_CANCELLED, "the job was cancelled");
             woke = true;
         } else {
-            hurry(job);
+            if (job.given_up()) requeue(job);
         }
     }
     if (woke) wake();

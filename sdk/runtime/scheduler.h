@@ -4,9 +4,11 @@
 //   submit -> [wait for dependencies] -> ready queue -> slices -> done -> published by tick
 //
 // Strands are run by whoever calls run_next: the tick itself, built-in workers or tasks in the host's job system (see
-// workers.h). Ready strands run by priority, then in order of arrival; one whose slice is over goes back to the front.
-// One mutex guards the queues; it is held for some tens of instructions and never while work, a callback or the
-// allocator runs (but to free a cancelled job that another one still listed).
+// workers.h). Ready strands run by priority: first what has to be taken down, and a job has at least the priority of
+// those that wait for it. Among equals, jobs that have run for less than 4 ms come first, in order of arrival; the
+// others take turns, slice by slice, four at a time, so that a hundred jobs do not hold their memory at once.
+// One mutex guards the queues; it is held for some tens of instructions (to tell dependents: for 64 of them at most)
+// and never while work, a callback or the allocator runs (but to free a cancelled job that another one still listed).
 #pragma once
 
 #include <array>
@@ -68,8 +70,10 @@ public:
 
     // For the threads that run strands.
     std::mutex& mutex() { return mutex_; }
-    // Strands, and one for memory to be unmapped. With the mutex held.
-    uint32_t ready_count() const { return ready_count_ + (large_blocks_.has_unwanted() ? 1 : 0); }
+    // Strands, and one each for dependents to be told and memory to be unmapped. With the mutex held.
+    uint32_t ready_count() const {
+        return ready_count_ + (first_settling_ ? 1 : 0) + (large_blocks_.has_unwanted() ? 1 : 0);
+    }
     const Host& host() const { return host_; }
     Memory* memory() const { return memory_; }
     uint32_t threads() const { return threads_; }
@@ -83,23 +87,27 @@ public:
     }
 
 private:
-    struct Queue {
-        Strand* first = nullptr;
-        Strand* last = nullptr;
-    };
     static constexpr int priority_count = 3;
+    static constexpr uint64_t short_ns = 4'000'000;
+    static constexpr uint32_t turns = 4;
+    static constexpr uint32_t most_told = 64;
 
-    Queue& queue_of(const Job& job) { return ready_[static_cast<size_t>(job.priority - FLG_PRIORITY_LOW)]; }
+    ReadyQueue& queue_of(const Job& job);
+    void insert(Strand& strand, Strand* before);
     void push_back(Strand& strand);
     void push_front(Strand& strand);
-    void hurry(Job& job);
+    // After a slice of so long.
+    void push_for_next_turn(Strand& strand, uint64_t busy_ns);
+    void remove(Strand& strand);
+    void requeue(Job& job);
+    void raise(Job& job, FlgPriority priority);
     Strand* pop();
     bool unmap_piece();
     void end_slice(Strand& strand);
     void finish_branch(Strand& strand);
     void complete(Job& job, FlgResult result, const char* error);
     void add_finished(Job& job);
-    void settle(Job& job, FlgResult result, const char* error, Job*& failing);
+    bool tell_dependents();
     void publish_job(Job& job);
     void append_pending(std::shared_ptr<Job> job);
     void remove_pending(Job& job);
@@ -117,9 +125,11 @@ private:
 
     std::mutex mutex_;
     std::condition_variable publishable_;
-    std::array<Queue, priority_count> ready_;
+    std::array<ReadyQueue, 2 * priority_count + 1> ready_;  // the last first
     uint32_t ready_count_ = 0;
     std::shared_ptr<Job> started_;   // list of jobs that ran for the first time since the last tick
+    std::shared_ptr<Job> first_settling_;  // jobs that are done and whose dependents are to be told
+    Job* last_settling_ = nullptr;
     Job* first_finished_ = nullptr;  // done and not published, in order of submission
     Job* last_finished_ = nullptr;
     Statistics statistics_;

@@ -8,6 +8,12 @@
 
 namespace flg {
 
+struct Strand;
+
+struct ReadyQueue {
+    Strand *first = nullptr, *last = nullptr;
+};
+
 struct Strand {
     Strand(Job& owner, const Host& host, Memory* memory) : job(owner), pace(owner, host, memory) {}
 
@@ -20,7 +26,9 @@ struct Strand {
     Pace pace;
     Task<void> root;
     Fork* member_of = nullptr;  // the fork it is a branch of; null for a job's first strand
-    Strand* next = nullptr;     // in a ready queue
+    // In a ready queue, if it is in one.
+    ReadyQueue* queue = nullptr;
+    Strand *next = nullptr, *previous = nullptr;
 };
 
 }  // namespace flg

@@ -267,7 +267,8 @@ typedef struct FlgMemoryUse {
 FLG_API FlgResult flgMemoryUseInit(FlgMemoryUse* use, uint32_t struct_size);
 
 /* [any thread] What the context holds of one kind, or of all. The kinds sum to what the allocator has handed out and
- * not got back, to the byte, with the 8 bytes or so that the library adds to each block. While jobs run, a block that
+ * not got back, to the byte, with the 8 bytes or so that the library adds to each block. Without an allocator of the
+ * host's, up to 32 MB of large blocks that are free wait to be used again; they are not counted. While jobs run, a block that
  * moves from one kind to another may be seen in both. An object counts as its kind once its job has ended; the copies
  * of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates nothing. */
 FLG_API FlgResult flgContextGetMemory(FlgContext context, FlgMemoryKind kind, FlgMemoryUse* out_use);
@@ -298,7 +299,9 @@ typedef enum FlgPriority {
  * listed here. */
 typedef struct FlgJobOptions {
     uint32_t struct_size;
-    /* Ready jobs of higher priority run first; equals run in order of submission. Default FLG_PRIORITY_NORMAL. */
+    /* Ready jobs of higher priority run first, and a job has at least the priority of those that wait for it. Among
+     * equals, jobs that have run for less than 4 ms come first, in order of submission; the others take turns, four at
+     * a time. Default FLG_PRIORITY_NORMAL. */
     FlgPriority priority;
     /* Nonzero: the complete part of a result can be viewed before the job finishes (flgCurveSetGetView then shows the
      * leading finished curves). Default 0. */

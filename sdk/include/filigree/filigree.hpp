@@ -3908,11 +3908,12 @@ public:
     /// one set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME since the first one, s, RADIUS).
     /// Both can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target of
     /// flgCurveSetStylize. The last point lies up to one step before the last sample. A zero-length stroke is one
-    /// point, not displaced. Either set may be null if not needed; `job` may be null. The handle stays valid, for
-    /// flgLiveStrokeResume, until it is released; if the job fails, the stroke continues as if it had not been ended.
-    /// Refused for a stroke without samples. A stroke that reaches max_points is cut there, and the job succeeds with
-    /// the points made so far; once the job is published, FlgLiveStrokeInfo::cut is set. `out_samples` has all samples,
-    /// so the whole stroke can be stylized from it. Cost: about 6 ns a point.
+    /// point, not displaced. Either set may be null if not needed. `job` may be null: FLG_PRIORITY_HIGH then, since
+    /// somebody waits for it. The handle stays valid, for flgLiveStrokeResume, until it is released; if the job fails,
+    /// the stroke continues as if it had not been ended. Refused for a stroke without samples. A stroke that reaches
+    /// max_points is cut there, and the job succeeds with the points made so far; once the job is published,
+    /// FlgLiveStrokeInfo::cut is set. `out_samples` has all samples, so the whole stroke can be stylized from it. Cost:
+    /// about 6 ns a point.
     /// Calls flgLiveStrokeEnd.
     Result<EndResults> end(const FlgJobOptions* job = nullptr, Job* out_job = nullptr) const {
         FlgCurveSet out_stylized{};
@@ -3939,7 +3940,8 @@ public:
         CurveSet second;  ///< out_second of flgLiveStrokeSplit
     };
     /// Starts a job that splits an ended stroke into two copies that meet: points 0 to `point`, and `point` to the
-    /// last. FLG_NOT_READY until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point.
+    /// last. `job` as for flgLiveStrokeEnd. FLG_NOT_READY until the job of flgLiveStrokeEnd is published. Cost: about
+    /// 10 ns a point.
     /// Calls flgLiveStrokeSplit.
     Result<SplitResults> split(uint32_t point, const FlgJobOptions* job = nullptr, Job* out_job = nullptr) const {
         FlgCurveSet out_first{};
@@ -4431,10 +4433,11 @@ public:
     }
 
     /// [any thread] What the context holds of one kind, or of all. The kinds sum to what the allocator has handed out
-    /// and not got back, to the byte, with the 8 bytes or so that the library adds to each block. While jobs run, a
-    /// block that moves from one kind to another may be seen in both. An object counts as its kind once its job has
-    /// ended; the copies of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds.
-    /// Allocates nothing.
+    /// and not got back, to the byte, with the 8 bytes or so that the library adds to each block. Without an allocator
+    /// of the host's, up to 32 MB of large blocks that are free wait to be used again; they are not counted. While jobs
+    /// run, a block that moves from one kind to another may be seen in both. An object counts as its kind once its job
+    /// has ended; the copies of inputs that a job waits with count as the kind of its result. Cost: tens of
+    /// nanoseconds. Allocates nothing.
     /// Calls flgContextGetMemory.
     Result<MemoryUse> memory(FlgMemoryKind kind) const {
         FlgMemoryUse out_use;

@@ -230,8 +230,9 @@ FLG_API FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, ui
  * set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME since the first one, s, RADIUS). Both
  * can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target of
  * flgCurveSetStylize. The last point lies up to one step before the last sample. A zero-length stroke is one point,
- * not displaced. Either set may be null if not needed; `job` may be null. The handle stays valid, for
- * flgLiveStrokeResume, until it is released; if the job fails, the stroke continues as if it had not been ended.
+ * not displaced. Either set may be null if not needed. `job` may be null: FLG_PRIORITY_HIGH then, since somebody waits
+ * for it. The handle stays valid, for flgLiveStrokeResume, until it is released; if the job fails, the stroke
+ * continues as if it had not been ended.
  * Refused for a stroke without samples. A stroke that reaches max_points is cut there, and the job succeeds with the
  * points made so far; once the job is published, FlgLiveStrokeInfo::cut is set. `out_samples` has all samples, so
  * the whole stroke can be stylized from it. Cost: about 6 ns a point. */
@@ -244,7 +245,7 @@ FLG_API FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, con
 FLG_API FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke);
 
 /* Starts a job that splits an ended stroke into two copies that meet: points 0 to `point`, and `point` to the last.
- * FLG_NOT_READY until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point. */
+ * `job` as for flgLiveStrokeEnd. FLG_NOT_READY until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point. */
 FLG_API FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t point,
                                      const FlgJobOptions* job, FlgCurveSet* out_first, FlgCurveSet* out_second,
                                      FlgJob* out_job);

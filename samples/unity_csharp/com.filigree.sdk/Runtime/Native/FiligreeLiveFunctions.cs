@@ -173,11 +173,12 @@ namespace Filigree
         /// into one set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME since the first one, s,
         /// RADIUS). Both can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target
         /// of flgCurveSetStylize. The last point lies up to one step before the last sample. A zero-length stroke is
-        /// one point, not displaced. Either set may be null if not needed; `job` may be null. The handle stays valid,
-        /// for flgLiveStrokeResume, until it is released; if the job fails, the stroke continues as if it had not been
-        /// ended. Refused for a stroke without samples. A stroke that reaches max_points is cut there, and the job
-        /// succeeds with the points made so far; once the job is published, FlgLiveStrokeInfo::cut is set.
-        /// `out_samples` has all samples, so the whole stroke can be stylized from it. Cost: about 6 ns a point.
+        /// one point, not displaced. Either set may be null if not needed. `job` may be null: FlgPriority.High then,
+        /// since somebody waits for it. The handle stays valid, for flgLiveStrokeResume, until it is released; if the
+        /// job fails, the stroke continues as if it had not been ended. Refused for a stroke without samples. A stroke
+        /// that reaches max_points is cut there, and the job succeeds with the points made so far; once the job is
+        /// published, FlgLiveStrokeInfo::cut is set. `out_samples` has all samples, so the whole stroke can be stylized
+        /// from it. Cost: about 6 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeEnd(
@@ -194,7 +195,8 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that splits an ended stroke into two copies that meet: points 0 to `point`, and `point` to the
-        /// last. FlgResult.NotReady until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point.
+        /// last. `job` as for flgLiveStrokeEnd. FlgResult.NotReady until the job of flgLiveStrokeEnd is published.
+        /// Cost: about 10 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeSplit(

@@ -218,7 +218,9 @@ namespace Filigree
     {
         public uint struct_size;
         /// <summary>
-        /// Ready jobs of higher priority run first; equals run in order of submission. Default FlgPriority.Normal.
+        /// Ready jobs of higher priority run first, and a job has at least the priority of those that wait for it.
+        /// Among equals, jobs that have run for less than 4 ms come first, in order of submission; the others take
+        /// turns, four at a time. Default FlgPriority.Normal.
         /// </summary>
         public FlgPriority priority;
         /// <summary>
