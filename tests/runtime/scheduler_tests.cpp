@@ -103,8 +103,7 @@ TEST_F(Turns, AFailureIsToldToManyInSlices) {
     Runtime runtime(desc, &memory, memory.large_blocks);
     const auto first = submit_steps(runtime, 1);
     std::vector<std::shared_ptr<Job>> dependents;
-    for (uint32_t i = 0; i < count; ++i)
-        dependents.push_back(submit_steps(runtime, 1, FLG_PRIORITY_NORMAL, {first}));
+    for (uint32_t i = 0; i < count; ++i) dependents.push_back(submit_steps(runtime, 1, FLG_PRIORITY_NORMAL, {first}));
     runtime.scheduler().cancel(*first);
     uint32_t frames = 0;
     while (runtime.tick(100).jobs_pending > 0) ++frames;
