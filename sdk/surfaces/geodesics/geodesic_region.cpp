@@ -159,8 +159,7 @@ Task<GeodesicRegion> RegionBuilder::build(Pace& pace, RegionBuilder& builder) {
     });
     co_await flip_anew(pace, builder);
     co_await IndexTable::reserve(pace, builder.region_.first_of_rank_, builder.ends_.size());
-    co_await each(pace, builder.ends_.size(), Cost::microseconds,
-                  [&](uint32_t i) { builder.close(builder.ends_[i]); });
+    co_await each(pace, builder.ends_.size(), Cost::microseconds, [&](uint32_t i) { builder.close(builder.ends_[i]); });
     co_return std::move(builder.region_);
 }
 
