@@ -176,7 +176,7 @@ void RenderScene::upload_skins(render::Renderer& renderer) const {
         } else {
             look.regions = materials;
         }
-        renderer.set_pose(renderer.upload(skin.file.view(), look), options_.pose.skinning, skin.pose.transforms);
+        renderer.set_pose(renderer.upload(morphed(skin.file, skin.pose), look), options_.pose.skinning, skin.pose.transforms);
     }
     if (!options_.bones) return;
     const float size = renderer.bounds().diagonal();
