@@ -79,7 +79,8 @@ MeshData read_from(const Path& path, const Origin& origin) {
     }
     const ByteBlock file = read_file(path, "");
     if (extension == ".ply") return read_ply(file.bytes(), origin);
-    return extension == ".obj" ? read_obj_mesh(as_text(file.bytes()), origin) : read_off(as_text(file.bytes()), origin);
+    return extension == ".obj" ? read_obj_mesh(as_text(file.bytes()), path, origin)
+                               : read_off(as_text(file.bytes()), origin);
 }
 
 MeshData read_mesh(const Path& path) {

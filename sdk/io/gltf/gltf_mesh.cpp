@@ -46,7 +46,8 @@ public:
         data_.textures = textures_.take(data_.warnings);
         lost_.warn(data_.warnings);
         data_.warn(shapes_, "primitive", "with morph targets, left out");
-        data_.warn(columns_, "primitive", "with attributes besides positions, normals, colours and texture coordinates, left out");
+        data_.warn(columns_, "primitive",
+                   "with attributes besides positions, normals, colours and texture coordinates, left out");
         data_.warn(others_, "primitive", "of points or lines, left out: only triangles are read");
         data_.warn(open_, "primitive", "of triangles that are not complete, the rest left out");
         return std::move(data_);
@@ -59,10 +60,11 @@ private:
         bool operator==(const SharedVertices&) const = default;
     };
 
-    // Names what a primitive has and is not read. Joints and weights are for those who read skins.
+    // Names what a primitive has and is not read. Joints and weights are for those who read skins, and so are shapes of
+    // what has joints.
     void note_lost(const GltfPrimitive& primitive, const Json& attributes, const GltfTextureUse& use) {
-        if (const Json* const targets = primitive.json.find("targets"); targets && targets->size() != 0)
-            shapes_.add(primitive.index);
+        const Json* const targets = primitive.json.find("targets");
+        if (targets && targets->size() != 0 && !attributes.find("JOINTS_0")) shapes_.add(primitive.index);
         const String seen = "TEXCOORD_" + to_text(use.set);
         for (const JsonMember& attribute : attributes.members()) {
             if (attribute.name == "POSITION" || attribute.name == "NORMAL" || attribute.name == "COLOR_0" ||
