@@ -182,7 +182,7 @@ TEST_F(PullCommand, BadScriptsAreRefusedByPlaceAndValue) {
     refused(R"({"handles": []})", {"handles: is empty"});
     refused(R"({"handles": [{"at": [4, 0.5, 0], "keys": [)" + key + ", " + key + "]}]}",
             {"handles[0].keys[1].time: is 0 after 0; times of a handle must rise"});
-    refused(R"({"handles": [{"at": [4, 0.5, NaN], "keys": [)" + key + "]}]}", {"NaN"});
+    refused(R"({"handles": [{"at": [4, 0.5, NaN], "keys": [)" + key + "]}]}", {"parse error", "last read: '0.5, N'"});
     refused(R"({"handles": [{"at": [4, 0.5, 1e99], "keys": [)" + key + "]}]}", {"handles[0].at[2]: "});
     refused(R"({"handles": [{"at": [4, 0.5, 0], "keys": [{"time": -1, "position": [0, 0, 0]}]}]})",
             {"handles[0].keys[0].time: "});

@@ -197,8 +197,10 @@ void write_pulled(const Options& options, const FlgSkinView& skin, const SkinLoo
     std::vector<uint32_t> parts;
     for (size_t t = 0; t < skin.triangle_count && looks.materials.size() > 1; ++t) {
         const uint32_t* c = skin.triangles + 3 * t;
-        const uint32_t *of = skin.vertex_parts, b = of[c[1]];
-        parts.push_back(skin.triangle_parts ? skin.triangle_parts[t] : b == of[c[2]] ? b : of[c[0]]);
+        const uint32_t* const of = skin.vertex_parts;
+        parts.push_back(skin.triangle_parts          ? skin.triangle_parts[t]
+                        : of[c[1]] == of[c[2]] ? of[c[1]]
+                                                     : of[c[0]]);
     }
     FlgMeshView mesh = flgMeshViewDefaults();
     mesh.vertex_count = skin.vertex_count;

@@ -77,10 +77,12 @@ SkinLooks looks_of(const MeshFile& mesh, FlgSkinView& skin, Report& report) {
     const uint32_t highest = *std::max_element(regions, regions + mesh.view().triangle_count);
     if (looks.materials.empty() && highest < most_labels)
         looks.materials.assign(highest + 1, flgMeshMaterialDefaults());
-    if (highest < looks.materials.size())
+    if (highest < looks.materials.size()) {
         skin.triangle_parts = regions;
-    else
+        skin.vertex_parts = nullptr;  // limbs, which are no materials
+    } else {
         report.warn(mesh.name() + ": labels of regions up to " + std::to_string(highest) + ": not kept");
+    }
     return looks;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf/gltf_morph_writer.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "io/base/json_text.h"
@@ -16,13 +18,20 @@ Vec3 load(const float* p) {
     return {p[0], p[1], p[2]};
 }
 
-// By the least turn that takes `from` to `to`, both of length 1.
-Vec3 turned_by(const Vec3& from, const Vec3& to, const Vec3& vector) {
-    const Vec3 axis = cross(from, to);
-    const double cosine = dot(from, to);
-    constexpr double opposite = 1e-9;  // there is no least turn any more
-    if (1 + cosine < opposite) return -1 * vector;
-    return cosine * vector + cross(axis, vector) + (dot(axis, vector) / (1 + cosine)) * axis;
+using Matrix = Eigen::Matrix3d;
+
+// The turn that takes what was summed up from there to here best (Arun, Huang, Blostein: Least-squares fitting of two
+// 3-D point sets, 1987).
+Matrix turn_of(const Matrix& sum) {
+    const Eigen::JacobiSVD<Matrix> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Matrix sides = Matrix::Identity();
+    sides(2, 2) = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
+    return svd.matrixV() * sides * svd.matrixU().transpose();
+}
+
+// Of where it was, times where it is.
+void add_pair(const Vec3& before, const Vec3& after, Matrix& sum) {
+    sum += Eigen::Vector3d(before.x, before.y, before.z) * Eigen::RowVector3d(after.x, after.y, after.z);
 }
 
 }  // namespace
@@ -81,10 +90,10 @@ Vector<float> MorphWriter::written(const float* values) const {
     return out;
 }
 
-// What is added to normals where triangles turn: they turn with the mean of these, by area. Where nothing moves it is 0
-// to the bit.
+// What is added to normals where triangles turn: they turn as these do, by area. Where nothing turns it is 0 to the bit.
 Vector<float> MorphWriter::turned(const WeldedPlaces& places, const float* moves) const {
-    Vector<Vec3> before(places.count()), after(places.count());
+    Vector<Matrix> sums(places.count(), Matrix::Zero());
+    Vector<bool> moves_any(places.count());
     for (size_t t = 0; t < mesh_.triangle_count; ++t) {
         const uint32_t* c = mesh_.triangles + 3 * t;
         Vec3 rest[3], moved[3];
@@ -94,20 +103,27 @@ Vector<float> MorphWriter::turned(const WeldedPlaces& places, const float* moves
         }
         const Vec3 n = cross(rest[1] - rest[0], rest[2] - rest[0]);
         const Vec3 m = cross(moved[1] - moved[0], moved[2] - moved[0]);
+        // Edges lie in the surface: how it is turned about them, normals say, as long as the edges are.
+        const double scale = length(n) > 0 && length(m) > 0 ? 1 / std::sqrt(length(n) * length(m)) : 0;
+        Matrix sum = Matrix::Zero();
+        add_pair(scale * n, m, sum);
+        bool turns = false;
         for (size_t k = 0; k < 3; ++k) {
-            before[places[c[k]]] = before[places[c[k]]] + n;
-            after[places[c[k]]] = after[places[c[k]]] + m;
+            const Vec3 edge = rest[(k + 1) % 3] - rest[k], now = moved[(k + 1) % 3] - moved[k];
+            add_pair(edge, now, sum);
+            turns = turns || edge.x != now.x || edge.y != now.y || edge.z != now.z;
+        }
+        for (size_t k = 0; k < 3; ++k) {
+            sums[places[c[k]]] += sum;
+            if (turns) moves_any[places[c[k]]] = true;
         }
     }
     Vector<float> out(3 * size_t{mesh_.vertex_count});
     for (size_t v = 0; v < mesh_.vertex_count; ++v) {
-        const Vec3 &from = before[places[v]], &to = after[places[v]];
-        if (!(length(from) > 0 && length(to) > 0) || (from.x == to.x && from.y == to.y && from.z == to.z)) continue;
-        const Vec3 normal = load(mesh_.normals + 3 * v);
-        const Vec3 added = turned_by(normalized(from), normalized(to), normal) - normal;
-        out[3 * v] = static_cast<float>(added.x);
-        out[3 * v + 1] = static_cast<float>(added.y);
-        out[3 * v + 2] = static_cast<float>(added.z);
+        if (!moves_any[places[v]]) continue;
+        const Eigen::Vector3d normal = Eigen::Vector3f(mesh_.normals + 3 * v).cast<double>();
+        const Eigen::Vector3d added = turn_of(sums[places[v]]) * normal - normal;
+        for (int k = 0; k < 3; ++k) out[3 * v + static_cast<size_t>(k)] = static_cast<float>(added[k]);
     }
     return out;
 }
