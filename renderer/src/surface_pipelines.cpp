@@ -129,8 +129,8 @@ void SurfacePipelines::make_textured(Eyes eyes, PipelineDesc desc) {
     };
     const ShaderModule vertex = shader("surface.vert", surface_vert_textured_spv, surface_vert_textured_stereo_spv);
     const ShaderModule fragment = shader("surface.frag", surface_frag_textured_spv, surface_frag_textured_stereo_spv);
-    const ShaderModule skinned = shader("skinned_surface.vert", skinned_surface_vert_textured_spv,
-                                        skinned_surface_vert_textured_stereo_spv);
+    const ShaderModule skinned =
+        shader("skinned_surface.vert", skinned_surface_vert_textured_spv, skinned_surface_vert_textured_stereo_spv);
     std::vector<VkVertexInputBindingDescription> bindings(desc.bindings.begin(), desc.bindings.end());
     std::vector<VkVertexInputAttributeDescription> attributes(desc.attributes.begin(), desc.attributes.end());
     bindings.push_back({textured_binding, sizeof(glm::vec2), VK_VERTEX_INPUT_RATE_VERTEX});
@@ -163,8 +163,7 @@ void SurfacePipelines::make_shadows() {
     make_skinned(shadow, skinned_layout_, skinned_shadow_);
 }
 
-void SurfacePipelines::make_skinned(PipelineDesc desc, VkPipelineLayout layout,
-                                    VkPipeline (&out_pipelines)[2]) const {
+void SurfacePipelines::make_skinned(PipelineDesc desc, VkPipelineLayout layout, VkPipeline (&out_pipelines)[2]) const {
     std::vector<VkVertexInputBindingDescription> bindings(desc.bindings.begin(), desc.bindings.end());
     std::vector<VkVertexInputAttributeDescription> attributes(desc.attributes.begin(), desc.attributes.end());
     bindings.push_back(skin_binding);

@@ -35,8 +35,8 @@ Image half_of(const Image& from) {
             for (size_t c = 0; c < channels; ++c) {
                 // sRGB is about the square root of light; alpha is even.
                 double sum = 0;
-                for (const uint8_t* pixel : {from.at(left, above), from.at(right, above), from.at(left, below),
-                                             from.at(right, below)})
+                for (const uint8_t* pixel :
+                     {from.at(left, above), from.at(right, above), from.at(left, below), from.at(right, below)})
                     sum += c + 1 == channels ? pixel[c] : pixel[c] * pixel[c];
                 const double mean = 0.25 * sum;
                 to.pixels.push_back(static_cast<uint8_t>((c + 1 == channels ? mean : std::sqrt(mean)) + 0.5));
@@ -79,8 +79,13 @@ SurfaceTextures::SurfaceTextures(DeviceMemory& memory, UploadRing& ring, VkDescr
 void SurfaceTextures::add(DeviceMemory& memory, UploadRing& ring, VkDescriptorSetLayout layout,
                           const SurfaceTexture& texture) {
     const std::vector<Image> levels = coarser_levels(texture.image);
-    ImageDesc desc{texture.image.width, texture.image.height, VK_FORMAT_R8G8B8A8_SRGB, VK_SAMPLE_COUNT_1_BIT,
-                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, VK_IMAGE_ASPECT_COLOR_BIT, 0,
+    ImageDesc desc{texture.image.width,
+                   texture.image.height,
+                   VK_FORMAT_R8G8B8A8_SRGB,
+                   VK_SAMPLE_COUNT_1_BIT,
+                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                   VK_IMAGE_ASPECT_COLOR_BIT,
+                   0,
                    MemoryUse::textures};
     desc.levels = static_cast<uint32_t>(levels.size());
     DeviceSurfaceTexture& made = textures_.emplace_back();

@@ -35,10 +35,9 @@ std::array<float, 3> handle_at(std::span<const double> times, const float* posit
     const float* p = positions + 3 * key;
     if (next == 0 || next == times.size() || time == times[key]) return {p[0], p[1], p[2]};
     const double span = times[next] - times[key], t = (time - times[key]) / span, left = 1 - t;
-    const Vec3 at = left * left * (1 + 2 * t) * position_of(positions, key) +
-                    t * t * (3 - 2 * t) * position_of(positions, next) +
-                    span * t * left *
-                        (left * velocity_at(times, positions, key) - t * velocity_at(times, positions, next));
+    const Vec3 at =
+        left * left * (1 + 2 * t) * position_of(positions, key) + t * t * (3 - 2 * t) * position_of(positions, next) +
+        span * t * left * (left * velocity_at(times, positions, key) - t * velocity_at(times, positions, next));
     return {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z())};
 }
 

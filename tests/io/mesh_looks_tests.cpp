@@ -201,6 +201,33 @@ TEST(MeshLooks, GltfHasTexturesOfMaterials) {
     EXPECT_EQ(refusal(), "desc.textures[0].picture: needs the corner_uvs of all meshes");
 }
 
+// glTF passes over colour spaces and shapes of pixels, and its validator warns of them.
+TEST(MeshLooks, PicturesAreWrittenWithoutWhatGltfPassesOver) {
+    const Folder folder;
+    TestSkin skin = bar();
+    FlgSkinView view = skin.view();
+    const std::vector<float> uvs(size_t{6} * view.triangle_count, 0.5f);
+    view.corner_uvs = uvs.data();
+    FlgSkinFileWriteDesc desc = {};
+    ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
+    desc.skin = &view;
+    const std::string path = folder.at("skin.glb");
+    const auto written = [&](const std::string& file) {
+        desc.texture = reinterpret_cast<const uint8_t*>(file.data());
+        desc.texture_size = file.size();
+        EXPECT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
+        const FlgTexture texture = Mesh(path).texture(0);
+        return texture.picture_size;
+    };
+    constexpr size_t header = 33;  // signature and first chunk
+    const std::string gamma("\0\0\0\4gAMA\0\0\xb1\x8f\x0b\xfc\x61\x05", 16);
+    const std::string with_gamma = png.substr(0, header) + gamma + png.substr(header);
+    EXPECT_EQ(written(png), png.size());
+    EXPECT_EQ(written(with_gamma), png.size());
+    // Cut off: as it is.
+    EXPECT_EQ(written(with_gamma.substr(0, 60)), 60u);
+}
+
 TEST(MeshLooks, WhatGltfLacksIsNamed) {
     const Folder folder;
     TestSkin skin = bar();
@@ -219,13 +246,15 @@ TEST(MeshLooks, WhatGltfLacksIsNamed) {
         const Mesh mesh(folder.put("odd.glb", glb.replace(from, to).bytes()));
         return mesh.warnings;
     };
-    const std::string lost = warnings("\"pbrMetallicRoughness\":{", "\"alphaMode\":\"BLEND\",\"normalTexture\":{\"index\":0},"
-                                                                    "\"pbrMetallicRoughness\":{");
+    const std::string lost = warnings("\"pbrMetallicRoughness\":{",
+                                      "\"alphaMode\":\"BLEND\",\"normalTexture\":{\"index\":0},"
+                                      "\"pbrMetallicRoughness\":{");
     EXPECT_NE(lost.find("with normalTexture, which is left out"), std::string::npos) << lost;
     EXPECT_NE(lost.find("with alphaMode, which is left out"), std::string::npos) << lost;
     EXPECT_NE(warnings("\"source\":0,", "").find("neither PNG nor JPEG"), std::string::npos);
-    EXPECT_NE(warnings("\"images\":[{\"bufferView\":", "\"images\":[{\"uri\":\"gone.png\",\"was\":").find("can't be read"),
-              std::string::npos);
+    EXPECT_NE(
+        warnings("\"images\":[{\"bufferView\":", "\"images\":[{\"uri\":\"gone.png\",\"was\":").find("can't be read"),
+        std::string::npos);
     EXPECT_NE(warnings("\"TEXCOORD_0\"", "\"TEXCOORD_3\"").find("with attributes besides"), std::string::npos);
 }
 

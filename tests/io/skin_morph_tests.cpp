@@ -169,8 +169,7 @@ TEST(SkinMorphs, RefusalsNamePlaceAndValue) {
     {
         Morphed morphed(skin);
         morphed.times[2] = 0.5f;
-        EXPECT_EQ(morphed.refusal(),
-                  "desc.morph_animations[0].times[2]: is 0.5 after 0.5; times rise from 0 or later");
+        EXPECT_EQ(morphed.refusal(), "desc.morph_animations[0].times[2]: is 0.5 after 0.5; times rise from 0 or later");
     }
     {
         Morphed morphed(skin);

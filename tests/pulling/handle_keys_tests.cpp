@@ -66,8 +66,7 @@ TEST(HandleKeys, AParabolaIsPlayedBetweenInnerKeys) {
     const std::vector<double> times = {0, 0.7, 1.5, 2.2, 3};
     for (const double t : times) {
         keys.times.push_back(t);
-        for (const double value : {t, 2 + t * t, 0.5 * t * t - t})
-            keys.positions.push_back(static_cast<float>(value));
+        for (const double value : {t, 2 + t * t, 0.5 * t * t - t}) keys.positions.push_back(static_cast<float>(value));
     }
     for (double t = 0.7; t <= 2.2; t += 0.1) {
         EXPECT_LT((keys.at(t) - Vec3(t, 2 + t * t, 0.5 * t * t - t)).norm(), 1e-5) << t;

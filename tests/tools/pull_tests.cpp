@@ -22,8 +22,8 @@ protected:
         folder.write("lift.json", lift);
     }
     std::vector<std::string> with(const std::vector<std::string>& more) const {
-        std::vector<std::string> arguments = {"skeleton", "bar.poly.txt", "--vertices", "600", "--quiet",
-                                              "--report", "report.json"};
+        std::vector<std::string> arguments = {"skeleton", "bar.poly.txt", "--vertices", "600",
+                                              "--quiet",  "--report",     "report.json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return arguments;
     }

@@ -198,8 +198,7 @@ std::vector<double> page_of_svg(const std::string& path) {
 DecodedPicture decode_picture(const uint8_t* file, uint64_t size, const std::string& subject) {
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-        size > INT32_MAX ? nullptr
-                         : stbi_load_from_memory(file, int(size), &width, &height, &channels, int(kChannels)),
+        size > INT32_MAX ? nullptr : stbi_load_from_memory(file, int(size), &width, &height, &channels, int(kChannels)),
         stbi_image_free);
     if (!pixels)
         throw InputError(subject + ": a texture can't be decoded: " +

@@ -47,8 +47,8 @@ void describe_skin(const SkinFile& skin, Report& report) {
     }
     for (const FlgMorphAnimation& animation : skin.morph_animations()) {
         const float start = animation.times[0], end = animation.times[animation.key_count - 1];
-        std::cout << "shapes: " << animation.name << ", " << animation.key_count << " keys of " << skin.info().morph_count
-                  << " morph targets, " << start << " to " << end << " s\n";
+        std::cout << "shapes: " << animation.name << ", " << animation.key_count << " keys of "
+                  << skin.info().morph_count << " morph targets, " << start << " to " << end << " s\n";
         shapes.push_back({{"name", animation.name}, {"keys", animation.key_count}, {"start", start}, {"end", end}});
     }
     if (skin.info().texture_count > 0) std::cout << "textures: " << skin.info().texture_count << "\n";

@@ -82,7 +82,8 @@ bool look_alike(const std::vector<render::Material>& materials) {
     return std::all_of(materials.begin(), materials.end(), [&](const render::Material& material) {
         const render::Material& first = materials.front();
         return material.color == first.color && material.metallic == first.metallic &&
-               material.roughness == first.roughness && material.texture == first.texture && material.border_width_px == 0.0f;
+               material.roughness == first.roughness && material.texture == first.texture &&
+               material.border_width_px == 0.0f;
     });
 }
 
@@ -115,8 +116,7 @@ render::SurfaceLook look_of(const MeshFile& mesh) {
         look.material = materials[0];
     }
     look.textures = textures_of(mesh.textures(), mesh.name());
-    if (mesh.info().corner_uvs)
-        look.corner_uvs = {mesh.info().corner_uvs, 6 * size_t{mesh.view().triangle_count}};
+    if (mesh.info().corner_uvs) look.corner_uvs = {mesh.info().corner_uvs, 6 * size_t{mesh.view().triangle_count}};
     return look;
 }
 
@@ -200,7 +200,8 @@ void RenderScene::upload_skins(render::Renderer& renderer) const {
             look.regions = materials;
         }
         look.textures = textures_of(skin.file.textures(), skin.file.name());
-        renderer.set_pose(renderer.upload(morphed(skin.file, skin.pose), look), options_.pose.skinning, skin.pose.transforms);
+        renderer.set_pose(renderer.upload(morphed(skin.file, skin.pose), look), options_.pose.skinning,
+                          skin.pose.transforms);
     }
     if (!options_.bones) return;
     const float size = renderer.bounds().diagonal();

@@ -198,9 +198,7 @@ void write_pulled(const Options& options, const FlgSkinView& skin, const SkinLoo
     for (size_t t = 0; t < skin.triangle_count && looks.materials.size() > 1; ++t) {
         const uint32_t* c = skin.triangles + 3 * t;
         const uint32_t* const of = skin.vertex_parts;
-        parts.push_back(skin.triangle_parts          ? skin.triangle_parts[t]
-                        : of[c[1]] == of[c[2]] ? of[c[1]]
-                                                     : of[c[0]]);
+        parts.push_back(skin.triangle_parts ? skin.triangle_parts[t] : of[c[1]] == of[c[2]] ? of[c[1]] : of[c[0]]);
     }
     FlgMeshView mesh = flgMeshViewDefaults();
     mesh.vertex_count = skin.vertex_count;
@@ -436,8 +434,7 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
                      "Pulls the surface at points over time, as rigidly as possible: keys of handles, and pins. "
                      "Becomes morph targets with an animation of their weights")
         ->type_name("SCRIPT.json");
-    command->add_option("--pulled", options->pulled, "The pulled surface by itself, as it is at")
-        ->type_name("MESH");
+    command->add_option("--pulled", options->pulled, "The pulled surface by itself, as it is at")->type_name("MESH");
     command->add_option("--pulled-at", options->pulled_at, "seconds; default: the script's end")->type_name("T");
     return {command, [options, &common, command] {
                 options->asks_vertices = command->count("--vertices") > 0;

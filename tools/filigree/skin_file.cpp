@@ -51,9 +51,8 @@ void move_by_shapes(const SkinFile& skin, const FlgMorphAnimation& animation, fl
     const float* const end = animation.times + animation.key_count;
     const auto after = static_cast<size_t>(std::upper_bound(animation.times, end, time) - animation.times);
     const size_t before = after == 0 ? 0 : after - 1, next = std::min<size_t>(after, animation.key_count - 1);
-    const float share = before == next
-                            ? 0.0f
-                            : (time - animation.times[before]) / (animation.times[next] - animation.times[before]);
+    const float share =
+        before == next ? 0.0f : (time - animation.times[before]) / (animation.times[next] - animation.times[before]);
     pose.rest.assign(view.positions, view.positions + 3 * size_t{view.vertex_count});
     pose.normals.assign(view.normals, view.normals + 3 * size_t{view.vertex_count});
     for (size_t i = 0; i < targets.size(); ++i) {
@@ -145,7 +144,8 @@ SkinPose pose_skin(const SkinFile& skin, const PoseOptions& options) {
     pose.transforms = std::move(linear ? matrices : duals);
     pose.positions.resize(3 * size_t{view.vertex_count});
     const FlgSkinView shaped = morphed(skin, pose);
-    check(flgSkinDeform(&shaped, options.skinning, pose.transforms.data(), pose.positions.data(), nullptr), skin.name());
+    check(flgSkinDeform(&shaped, options.skinning, pose.transforms.data(), pose.positions.data(), nullptr),
+          skin.name());
     return pose;
 }
 

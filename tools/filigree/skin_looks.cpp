@@ -34,7 +34,8 @@ void warn_of_columns(const MeshFile& mesh, Report& report) {
         report.warn(mesh.name() + ": " + std::to_string(lost) + (lost == 1 ? " column" : " columns") +
                     " of vertices besides positions, normals and colours: not kept");
     std::string names;
-    for (const FlgMeshFaceColumn& column : mesh.face_columns()) names += (names.empty() ? "" : ", ") + std::string(column.name);
+    for (const FlgMeshFaceColumn& column : mesh.face_columns())
+        names += (names.empty() ? "" : ", ") + std::string(column.name);
     if (!names.empty()) report.warn(mesh.name() + ": columns of faces are not kept: " + names);
 }
 

@@ -25,8 +25,8 @@ constexpr uint32_t no_texture = 0xffffffffu;
 struct Material {
     glm::vec3 color{0.42f, 0.36f, 0.31f};
     uint32_t texture = no_texture;  // of the look's: its colour, times this one
-    float metallic = 0.0f;   // 0 = paint, clay, wood to 1 = bare metal
-    float roughness = 0.5f;  // 0 = polished to 1 = matte
+    float metallic = 0.0f;          // 0 = paint, clay, wood to 1 = bare metal
+    float roughness = 0.5f;         // 0 = polished to 1 = matte
     // Lines between regions of this label and those of lower labels, in place of the look's: 0.5 to 64 pixels; 0 = the
     // look's lines.
     float border_width_px = 0.0f;
@@ -39,8 +39,9 @@ struct SurfaceLook {
     Material material{};
     // By label: triangles with label i use regions[i % regions.size()]. Empty: labels are not shown.
     std::vector<Material> regions{};
-    // What materials refer to. Seen where there are texture coordinates: a skin's own, else these: 6 numbers a triangle,
-    // 0 0 a picture's upper left, 1 1 its lower right; read while the surface is uploaded. Coarser levels are made.
+    // What materials refer to. Seen where there are texture coordinates: a skin's own, else `corner_uvs`, 6 numbers a
+    // triangle: 0 0 is a picture's upper left, 1 1 its lower right. They are read while the surface is uploaded; coarser
+    // levels of pictures are made then.
     std::vector<SurfaceTexture> textures{};
     std::span<const float> corner_uvs{};
 

@@ -37,8 +37,7 @@ CheckedMorphs::CheckedMorphs(const FlgSkinFileWriteDesc& desc) {
              desc.morph_animation_count);
     for (uint32_t i = 0; i < desc.morph_animation_count; ++i) {
         const String place = element_of("desc.morph_animations", i);
-        const auto read =
-            read_element<Longer::cut>(desc.morph_animations, i, animation_defaults(), place.c_str());
+        const auto read = read_element<Longer::cut>(desc.morph_animations, i, animation_defaults(), place.c_str());
         check_animation(read, desc.animation_count, place);
         const auto shares = [&](const FlgMorphAnimation& other) { return other.animation == read.animation; };
         if (read.animation != FLG_NO_INDEX && std::any_of(animations_.begin(), animations_.end(), shares))

@@ -405,8 +405,8 @@ void CheckedSkin::check_binding(const FlgSkinView& mesh, const String& place, si
         }
         for (size_t other = 0; weights[k] > 0 && other < k; ++other) {
             if (joints[other] != joints[k] || weights[other] == 0) continue;
-            fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_joints", i), "is %u, which vertex %zu has already",
-                 joints[k], vertex);
+            fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_joints", i),
+                 "is %u, which vertex %zu has already", joints[k], vertex);
         }
         sum += weights[k];
     }
@@ -453,8 +453,7 @@ void CheckedSkin::check_textures() {
     if (!desc_.texture && desc_.texture_size != 0)
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is null, but has a size");
     if (desc_.texture) {
-        if (desc_.texture_count != 0)
-            fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is there, and so are textures");
+        if (desc_.texture_count != 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is there, and so are textures");
         // At its edge the picture goes on: bodies reach a little beyond their outlines.
         auto only = sized<FlgTexture>();
         only.wrap_u = only.wrap_v = FLG_TEXTURE_WRAP_CLAMP;
@@ -465,8 +464,7 @@ void CheckedSkin::check_textures() {
     if (desc_.texture_count != 0) check_argument(desc_.textures, "desc.textures");
     for (uint32_t i = 0; i < desc_.texture_count; ++i) {
         const String place = element_of("desc.textures", i);
-        const auto texture =
-            read_element<Longer::cut>(desc_.textures, i, sized<FlgTexture>(), place.c_str());
+        const auto texture = read_element<Longer::cut>(desc_.textures, i, sized<FlgTexture>(), place.c_str());
         check_argument(texture.picture, (place + ".picture").c_str());
         check_name(texture.name, place + ".name");
         for (const FlgTextureWrap wrap : {texture.wrap_u, texture.wrap_v})

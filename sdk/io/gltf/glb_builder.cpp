@@ -125,10 +125,10 @@ size_t GlbBuilder::add_moves(std::span<const float> moves, bool with_bounds) {
     const size_t indices = add_bytes(moving.data(), moving.size() * sizeof(uint32_t), 0, "");
     const size_t view = add_plain_view(values);
     separate(accessors_);
-    accessors_ += "{\"componentType\":" + to_text(glb_float) + ",\"count\":" + to_text(count) +
-                  ",\"type\":\"VEC3\"" + bounds + ",\"sparse\":{\"count\":" + to_text(moving.size()) +
-                  ",\"indices\":{\"bufferView\":" + to_text(indices) + ",\"componentType\":" +
-                  to_text(glb_unsigned) + "},\"values\":{\"bufferView\":" + to_text(view) + "}}}";
+    accessors_ += "{\"componentType\":" + to_text(glb_float) + ",\"count\":" + to_text(count) + ",\"type\":\"VEC3\"" +
+                  bounds + ",\"sparse\":{\"count\":" + to_text(moving.size()) +
+                  ",\"indices\":{\"bufferView\":" + to_text(indices) + ",\"componentType\":" + to_text(glb_unsigned) +
+                  "},\"values\":{\"bufferView\":" + to_text(view) + "}}}";
     return accessor_count_++;
 }
 

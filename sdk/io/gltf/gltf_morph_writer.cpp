@@ -90,7 +90,7 @@ Vector<float> MorphWriter::written(const float* values) const {
     return out;
 }
 
-// What is added to normals where triangles turn: they turn as these do, by area. Where nothing turns it is 0 to the bit.
+// What is added to normals where triangles turn: they turn as these do, by area. Where nothing turns it is 0.
 Vector<float> MorphWriter::turned(const WeldedPlaces& places, const float* moves) const {
     Vector<Matrix> sums(places.count(), Matrix::Zero());
     Vector<bool> moves_any(places.count());

@@ -66,8 +66,7 @@ String GltfMorphReader::name_of(size_t target) const {
 }
 
 void GltfMorphReader::finish(SkinData& data) {
-    if (is_uneven_ && has_any_)
-        data.warnings.push_back("the skin's primitives have different morph targets: left out");
+    if (is_uneven_ && has_any_) data.warnings.push_back("the skin's primitives have different morph targets: left out");
     for (size_t i = 0; i < targets_.size(); ++i) targets_[i].name = name_of(i);
     data.morphs = std::move(targets_);
 }

@@ -563,8 +563,7 @@ private:
 
     void add_materials() {
         const size_t material_count = checked_.materials().size();
-        if (material_count == 0)
-            materials_ = json_plain_material("surface", checked_.texture_of(material_defaults()));
+        if (material_count == 0) materials_ = json_plain_material("surface", checked_.texture_of(material_defaults()));
         for (size_t i = 0; i < material_count; ++i) {
             const FlgMeshMaterial& material = checked_.materials()[i];
             add_item(materials_, json_material(material, "part " + number(i), checked_.texture_of(material)));
@@ -578,11 +577,12 @@ private:
         for (size_t i = 0; i < checked_.textures().size(); ++i) {
             const FlgTexture& texture = checked_.textures()[i];
             const Bytes picture{texture.picture, texture.picture_size};
-            add_item(images, "{\"bufferView\":" + number(glb_.add_file(picture)) + ",\"mimeType\":\"image/" +
+            const size_t file = is_png(picture) ? glb_.add_file(plain_png(picture)) : glb_.add_file(picture);
+            add_item(images, "{\"bufferView\":" + number(file) + ",\"mimeType\":\"image/" +
                                  (is_png(picture) ? "png" : "jpeg") + "\"}");
-            add_item(samplers, String("{\"magFilter\":") + (texture.nearest ? "9728" : "9729") + ",\"minFilter\":" +
-                                   (texture.nearest ? "9984" : "9987") + ",\"wrapS\":" + wraps[texture.wrap_u] +
-                                   ",\"wrapT\":" + wraps[texture.wrap_v] + "}");
+            add_item(samplers, String("{\"magFilter\":") + (texture.nearest ? "9728" : "9729") +
+                                   ",\"minFilter\":" + (texture.nearest ? "9984" : "9987") +
+                                   ",\"wrapS\":" + wraps[texture.wrap_u] + ",\"wrapT\":" + wraps[texture.wrap_v] + "}");
             const String name = texture.name ? "\"name\":" + json_text(texture.name) + "," : "";
             add_item(textures, "{" + name + "\"source\":" + number(i) + ",\"sampler\":" + number(i) + "}");
         }
