@@ -40,8 +40,8 @@ struct SurfaceLook {
     // By label: triangles with label i use regions[i % regions.size()]. Empty: labels are not shown.
     std::vector<Material> regions{};
     // What materials refer to. Seen where there are texture coordinates: a skin's own, else `corner_uvs`, 6 numbers a
-    // triangle: 0 0 is a picture's upper left, 1 1 its lower right. They are read while the surface is uploaded; coarser
-    // levels of pictures are made then.
+    // triangle: 0 0 is a picture's upper left, 1 1 its lower right. They are read while the surface is uploaded;
+    // coarser levels of pictures are made then.
     std::vector<SurfaceTexture> textures{};
     std::span<const float> corner_uvs{};
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Source: Wavefront's MTL specification (newmtl, Kd, map_Kd); physically based materials extend it (Pr, Pm). Materials of .obj files.
+// Source: Wavefront's MTL specification (newmtl, Kd, map_Kd); physically based materials extend it (Pr, Pm).
+// Materials of .obj files.
 #pragma once
 
 #include <optional>
