@@ -21,7 +21,7 @@ float linear(uint8_t byte) {
     return share <= 0.04045f ? share / 12.92f : std::pow((share + 0.055f) / 1.055f, 2.4f);
 }
 
-class SurfaceTextures : public RendererTest {
+class Textures : public RendererTest {
 protected:
     void SetUp() override { without_ground(); }
     // A sheet whose texture coordinates are `times` those that cover it once.
@@ -61,13 +61,13 @@ protected:
     Target target_{renderer, picture_size, picture_size};
 };
 
-TEST_F(SurfaceTextures, OneColorIsThatOfAMaterial) {
+TEST_F(Textures, OneColorIsThatOfAMaterial) {
     const Image textured = seen({{one_color(200, 80, 30)}});
     const Image painted = plain({linear(200), linear(80), linear(30)});
     for (const float x : {-0.5f, 0.0f, 0.4f}) EXPECT_LE(max_difference(at(textured, x, x), at(painted, x, x)), 3) << x;
 }
 
-TEST_F(SurfaceTextures, TheUpperLeftIsZeroZero) {
+TEST_F(Textures, TheUpperLeftIsZeroZero) {
     // Red, green; blue, white.
     SurfaceTexture four{{2, 2, {full, 0, 0, full, 0, full, 0, full, 0, 0, full, full, full, full, full, full}}};
     four.nearest = true;
@@ -78,7 +78,7 @@ TEST_F(SurfaceTextures, TheUpperLeftIsZeroZero) {
     EXPECT_GT(at(image, 0.4f, -0.4f)[0], 150);
 }
 
-TEST_F(SurfaceTextures, TheyGoOnAsTheySay) {
+TEST_F(Textures, TheyGoOnAsTheySay) {
     // Red on the left, blue on the right; twice across, so that its second half is beyond.
     SurfaceTexture halves{{2, 1, {full, 0, 0, full, 0, 0, full, full}}};
     halves.nearest = true;
@@ -95,7 +95,7 @@ TEST_F(SurfaceTextures, TheyGoOnAsTheySay) {
     EXPECT_FALSE(is_red(Wrap::clamp, 0.6f));
 }
 
-TEST_F(SurfaceTextures, FarAwayTheyAreTheMeanOfTheirLight) {
+TEST_F(Textures, FarAwayTheyAreTheMeanOfTheirLight) {
     SurfaceTexture checks{{256, 256, {}}};
     for (uint32_t i = 0; i < 256 * 256; ++i)
         checks.image.pixels.insert(checks.image.pixels.end(), 3, ((i / 256 + i) & 1) != 0 ? full : uint8_t{0}),
@@ -106,7 +106,7 @@ TEST_F(SurfaceTextures, FarAwayTheyAreTheMeanOfTheirLight) {
 }
 
 // Each region has its own, and one has none; they meet at vertices that all share.
-TEST_F(SurfaceTextures, RegionsHaveTheirOwn) {
+TEST_F(Textures, RegionsHaveTheirOwn) {
     Mesh mesh = sheet(size_m, size_m, 4, 4);
     for (uint32_t t = 0; t < mesh.triangles.size() / 3; ++t) mesh.regions.push_back(t / 2 % 4 < 2 ? t / 2 % 4 : 2);
     const std::vector<float> uvs = uvs_of(mesh, 1);
@@ -121,7 +121,7 @@ TEST_F(SurfaceTextures, RegionsHaveTheirOwn) {
     EXPECT_GT(at(image, 0.4f, 0)[2], 2 * at(image, 0.4f, 0)[0]);
 }
 
-TEST_F(SurfaceTextures, WhatDoesNotFitIsRefused) {
+TEST_F(Textures, WhatDoesNotFitIsRefused) {
     Mesh mesh = sheet(size_m, size_m, 1, 1);
     std::vector<float> uvs = uvs_of(mesh, 1);
     SurfaceLook look;
