@@ -61,7 +61,10 @@ String GltfMorphReader::name_of(size_t target) const {
     const Json& mesh = document_.element("meshes", gltf_required(node, "mesh", "nodes"), "nodes");
     const Json* const extras = mesh.find("extras");
     const Json* const names = extras ? extras->find("targetNames") : nullptr;
-    if (names && target < names->size() && (*names)[target].is_string()) return String((*names)[target].string());
+    constexpr size_t longest_name = 255;
+    if (names && target < names->size() && (*names)[target].is_string() &&
+        (*names)[target].string().size() <= longest_name)
+        return String((*names)[target].string());
     return "target " + to_text(target);
 }
 

@@ -206,7 +206,7 @@ private:
         // White, where primitives before this one have no colours.
         data_.colors.resize(4 * size_t{first_vertex_}, 1.0f);
         for (uint32_t v = 0; v < count; ++v)
-            for (const float value : vertices.color(v)) data_.colors.push_back(value);
+            for (const float value : vertices.color(v)) data_.colors.push_back(std::clamp(value, 0.0f, 1.0f));
     }
 
     void append_normal(const std::optional<GltfValues>& normals, uint32_t vertex, const Transform& t) {

@@ -9,6 +9,7 @@ namespace flg::io {
 
 namespace {
 
+constexpr size_t longest_name = 255;
 constexpr uint64_t nearest = 9728, clamp_to_edge = 33071, mirrored_repeat = 33648, repeat = 10497;
 
 FlgTextureWrap wrap_of(const Json& sampler, const char* key, const String& place) {
@@ -94,6 +95,7 @@ std::optional<TextureData> GltfTextures::read(uint64_t texture, const String& pl
     const String here = "textures[" + to_text(texture) + "]";
     TextureData data;
     if (const Json* const name = json.find("name")) data.name = name->string_or("");
+    if (data.name.size() > longest_name) data.name.clear();
     if (json.find("sampler")) {
         const uint64_t index = gltf_required(json, "sampler", here);
         const Json& sampler = document_.element("samplers", index, here + ".sampler");
