@@ -36,7 +36,7 @@ std::optional<Path> MtlLibrary::below(std::string_view file) const {
     const bool parent = ("/" + name + "/").find("/../") != name.npos;
     if (name.empty() || name.find_first_of(std::string_view(":\0", 2)) != name.npos || name.starts_with('/') || parent)
         return {};
-    const Path target = path_.beside(name);
+    Path target = path_.beside(name);
     if (!stays_beside(target, path_)) return {};
     return target;
 }
