@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf/gltf_morph_writer.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
