@@ -11,7 +11,12 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec4 color_and_field;
 layout(location = 3) in vec4 material;  // metallic, roughness, whether the field is known, share of the triangle's part
+#ifdef TEXTURED
+layout(location = 4) in vec2 uv;
+layout(set = 2, binding = 0) uniform sampler2D picture;
+#else
 layout(location = 4) flat in vec3 other_color;  // of the other part
+#endif
 layout(location = 0) out vec4 out_color;
 
 const vec3 unknown_color = vec3(0.25);
@@ -41,9 +46,13 @@ float isolines() {
 
 vec3 surface_color() {
     bool known = material.z > least_known;
+#ifdef TEXTURED
+    vec3 base = color_and_field.rgb * texture(picture, uv).rgb;
+#else
     // The border between two parts, sharp in each pixel.
     float own = clamp((material.w - 0.5) / max(fwidth(material.w), 1e-6) + 0.5, 0.0, 1.0);
     vec3 base = mix(other_color, color_and_field.rgb, own);
+#endif
     if ((draw.flags & flag_shows_field) != 0u)
         base = known ? field_color((color_and_field.w - draw.field_low) * draw.colors_per_unit) : unknown_color;
     float line = draw.isolines_per_unit > 0.0 && known ? isolines() : 0.0;

@@ -252,7 +252,7 @@ DeviceImage::DeviceImage(DeviceMemory& memory, const ImageDesc& desc) {
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = desc.format;
     info.extent = {desc.width, desc.height, 1};
-    info.mipLevels = 1;
+    info.mipLevels = desc.levels;
     info.arrayLayers = desc.layers;
     info.samples = desc.samples;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
@@ -269,7 +269,7 @@ DeviceImage::DeviceImage(DeviceMemory& memory, const ImageDesc& desc) {
         view_info.image = image_;
         view_info.viewType = desc.layers == 1 ? VK_IMAGE_VIEW_TYPE_2D : VK_IMAGE_VIEW_TYPE_2D_ARRAY;
         view_info.format = desc.format;
-        view_info.subresourceRange = {desc.aspect, 0, 1, 0, desc.layers};
+        view_info.subresourceRange = {desc.aspect, 0, desc.levels, 0, desc.layers};
         check(vkCreateImageView(device, &view_info, nullptr, &view_), "make an image view");
     } catch (...) {
         vkDestroyImage(device, image_, nullptr);

@@ -89,6 +89,7 @@ struct ImageDesc {
     VkImageCreateFlags flags = 0;
     MemoryUse use = MemoryUse::targets;
     uint32_t layers = 1;
+    uint32_t levels = 1;
 };
 
 // A 2D image, or an array of some, with one view of all of it.

@@ -184,14 +184,16 @@ PreparedSurface& PreparedSurface::operator=(PreparedSurface&&) noexcept = defaul
 SurfaceId Renderer::upload(const PreparedSurface& prepared) {
     State& s = *state_;
     const PreparedSurface::State& p = *prepared.state_;
-    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, p.data, p.look); });
+    auto surface =
+        s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.surface_place(), p.data, p.look); });
     s.scene_changed();
     return {s.surfaces.add(std::move(surface))};
 }
 
 SurfaceId Renderer::upload(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     State& s = *state_;
-    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, mesh, look, field); });
+    auto surface =
+        s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.surface_place(), mesh, look, field); });
     s.scene_changed();
     return {s.surfaces.add(std::move(surface))};
 }
@@ -199,7 +201,8 @@ SurfaceId Renderer::upload(const FlgMeshView& mesh, const SurfaceLook& look, std
 void Renderer::update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     State& s = *state_;
     const DeviceSurface& before = s.surfaces.at(id.value);
-    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, mesh, look, field); });
+    auto surface =
+        s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.surface_place(), mesh, look, field); });
     surface->visible = before.visible;
     surface->place(before.placement);
     s.surfaces.replace(id.value, std::move(surface), s.frame);
@@ -209,7 +212,8 @@ void Renderer::update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& 
 
 SurfaceId Renderer::upload(const FlgSkinView& skin, const SurfaceLook& look) {
     State& s = *state_;
-    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, skin, look); });
+    auto surface =
+        s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.surface_place(), skin, look); });
     s.scene_changed();
     return {s.surfaces.add(std::move(surface))};
 }
@@ -217,7 +221,8 @@ SurfaceId Renderer::upload(const FlgSkinView& skin, const SurfaceLook& look) {
 void Renderer::update(SurfaceId id, const FlgSkinView& skin, const SurfaceLook& look) {
     State& s = *state_;
     const DeviceSurface& before = s.surfaces.at(id.value);
-    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, skin, look); });
+    auto surface =
+        s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.surface_place(), skin, look); });
     surface->visible = before.visible;
     surface->place(before.placement);
     s.surfaces.replace(id.value, std::move(surface), s.frame);

@@ -61,6 +61,8 @@ struct Renderer::State {
         ++revision;
     }
 
+    SurfacePlace surface_place() { return {memory, ring, surface_pipelines.texture_set_layout()}; }
+
     // What draws into an image of its own, on this device.
     struct Entry {
         std::unique_ptr<TargetImage>* image;

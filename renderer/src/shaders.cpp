@@ -15,12 +15,16 @@ Shaders::Shaders(std::string folder) : folder_(std::move(folder)) {
 std::span<const uint32_t> Shaders::of(const std::string& file, std::span<const uint32_t> built_in,
                                       ShaderVariant variant) const {
     if (folder_.empty()) return built_in;
-    const bool plain = variant == ShaderVariant::plain;
-    const std::string macro = variant == ShaderVariant::stereo ? "STEREO" : "MULTISAMPLED";
-    const std::string key = plain ? file : file + " " + macro;
+    std::vector<std::string> macros;
+    if (variant == ShaderVariant::multisampled) macros.emplace_back("MULTISAMPLED");
+    if (variant == ShaderVariant::textured || variant == ShaderVariant::textured_stereo)
+        macros.emplace_back("TEXTURED");
+    if (variant == ShaderVariant::stereo || variant == ShaderVariant::textured_stereo) macros.emplace_back("STEREO");
+    std::string key = file;
+    for (const std::string& macro : macros) key += " " + macro;
     const auto found = compiled_.find(key);
     if (found != compiled_.end()) return found->second;
-    return compiled_[key] = compile_shader(folder_, file, {&macro, plain ? 0u : 1u});
+    return compiled_[key] = compile_shader(folder_, file, macros);
 }
 
 }  // namespace flg::render

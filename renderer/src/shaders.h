@@ -10,7 +10,7 @@
 
 namespace flg::render {
 
-enum class ShaderVariant { plain, stereo, multisampled };
+enum class ShaderVariant { plain, stereo, multisampled, textured, textured_stereo };
 
 class Shaders {
 public:

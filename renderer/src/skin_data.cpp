@@ -196,8 +196,11 @@ SkinData prepare_skin(const FlgSkinView& skin, const SurfaceLook& look) {
     std::vector<uint32_t> parts;
     if (skin.vertex_parts && skin.triangles && look.regions.size() > 1) parts = triangle_parts(skin);
     mesh.regions = parts.empty() ? nullptr : parts.data();
-    SkinData data{prepare_surface(mesh, look, {}), {}, SkinBounds(skin.joint_count)};
-    if (!parts.empty() && !skin.triangle_parts) mark_other_parts(data.surface, skin, look);
+    SurfaceLook own = look;
+    if (skin.corner_uvs) own.corner_uvs = {skin.corner_uvs, 6 * size_t{skin.triangle_count}};
+    SkinData data{prepare_surface(mesh, own, {}), {}, SkinBounds(skin.joint_count)};
+    // Textures leave no room for another part's colour.
+    if (!parts.empty() && !skin.triangle_parts && data.surface.uvs.empty()) mark_other_parts(data.surface, skin, look);
     data.vertices.reserve(data.surface.positions.size());
     for (size_t v = 0; v < skin.vertex_count; ++v) {
         const uint16_t* joints = skin.vertex_joints + 4 * v;

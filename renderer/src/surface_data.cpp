@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "packing.h"
 #include "surface_normals.h"
@@ -75,6 +76,10 @@ public:
         read_positions();
         read_field();
         SplitVertices split = split_regions();
+        if (!look_.textures.empty() && !look_.corner_uvs.empty()) {
+            split_uvs(split);
+            gather_runs(split);
+        }
         const uint32_t count = mesh_.vertex_count + static_cast<uint32_t>(split.copied.size());
         if (count > max_vertices)
             fail(
@@ -133,6 +138,67 @@ private:
             for (const LabelledEdge& edge : border_edges(triangles_, labels, mesh_.vertex_count)) add_border(edge);
         if (colors) return split_vertices(triangles_, labels, mesh_.vertex_count);
         return {{triangles_.begin(), triangles_.end()}, {}, {}};
+    }
+
+    uint32_t texture_of(size_t triangle) const {
+        if (look_.regions.empty()) return look_.material.texture;
+        return look_.regions[(mesh_.regions ? mesh_.regions[triangle] : 0) % look_.regions.size()].texture;
+    }
+
+    // Vertices whose corners differ in texture coordinates are there several times.
+    void split_uvs(SplitVertices& split) {
+        if (look_.corner_uvs.size() != 2 * triangles_.size())
+            fail("The look has %zu texture coordinates; %u triangles take %zu.", look_.corner_uvs.size(),
+                 mesh_.triangle_count, 2 * triangles_.size());
+        constexpr uint32_t none = 0xffffffffu;
+        const size_t before = mesh_.vertex_count + split.copied.size();
+        std::vector<uint32_t> next(before, none);  // where a vertex is once more
+        std::vector<uint8_t> has_uv(before, 0);
+        data_.uvs.resize(before, glm::vec2(0.0f));
+        for (size_t corner = 0; corner < split.indices.size(); ++corner) {
+            const glm::vec2 uv(look_.corner_uvs[2 * corner], look_.corner_uvs[2 * corner + 1]);
+            if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+                fail("Triangle %zu has texture coordinates that are not finite.", corner / 3);
+            uint32_t vertex = split.indices[corner];
+            if (!has_uv[vertex]) {
+                has_uv[vertex] = 1;
+                data_.uvs[vertex] = uv;
+                continue;
+            }
+            while (data_.uvs[vertex] != uv && next[vertex] != none) vertex = next[vertex];
+            if (data_.uvs[vertex] != uv) {
+                const auto copy = static_cast<uint32_t>(data_.uvs.size());
+                next[vertex] = copy;
+                next.push_back(none);
+                has_uv.push_back(1);
+                data_.uvs.push_back(uv);
+                split.copied.push_back(vertex < mesh_.vertex_count ? vertex
+                                                                   : split.copied[vertex - mesh_.vertex_count]);
+                if (!split.label_of.empty()) {
+                    const uint32_t label = split.label_of[vertex];
+                    split.label_of.push_back(label);
+                }
+                vertex = copy;
+            }
+            split.indices[corner] = vertex;
+        }
+    }
+
+    // Triangles by texture, in their order otherwise.
+    void gather_runs(SplitVertices& split) {
+        std::map<uint32_t, std::vector<uint32_t>> indices;
+        for (size_t t = 0; t < mesh_.triangle_count; ++t) {
+            const uint32_t texture = texture_of(t);
+            if (texture != no_texture && texture >= look_.textures.size())
+                fail("A material has the texture %u; the look has %zu.", texture, look_.textures.size());
+            std::vector<uint32_t>& list = indices[texture];
+            list.insert(list.end(), &split.indices[3 * t], &split.indices[3 * t] + 3);
+        }
+        split.indices.clear();
+        for (const auto& [texture, list] : indices) {
+            data_.runs.push_back({texture, static_cast<uint32_t>(list.size())});
+            split.indices.insert(split.indices.end(), list.begin(), list.end());
+        }
     }
 
     bool has_borders() const {

@@ -41,6 +41,11 @@ struct SurfaceData {
     std::vector<uint32_t> indices;
     std::vector<BorderEdge> borders;  // each edge once
     std::vector<uint32_t> copied;     // the vertices that the last ones are copies of
+    std::vector<glm::vec2> uvs;       // of vertices, or none
+    struct Run {
+        uint32_t texture, index_count;  // of indices that follow those before
+    };
+    std::vector<Run> runs;  // with textures: all indices
     Box box;
     bool has_field = false;
     float field_low = 0.0f, field_high = 0.0f;  // what the colour map spans

@@ -12,18 +12,24 @@
 #include "shaders/skinned_surface_shadow_vert.h"
 #include "shaders/skinned_surface_vert.h"
 #include "shaders/skinned_surface_vert_stereo.h"
+#include "shaders/skinned_surface_vert_textured.h"
+#include "shaders/skinned_surface_vert_textured_stereo.h"
 #include "shaders/surface_frag.h"
 #include "shaders/surface_frag_stereo.h"
+#include "shaders/surface_frag_textured.h"
+#include "shaders/surface_frag_textured_stereo.h"
 #include "shaders/surface_shadow_vert.h"
 #include "shaders/surface_vert.h"
 #include "shaders/surface_vert_stereo.h"
+#include "shaders/surface_vert_textured.h"
+#include "shaders/surface_vert_textured_stereo.h"
 #include "skin_data.h"
 #include "surface_data.h"
 
 namespace flg::render {
 namespace {
 
-constexpr uint32_t field_location = 4;
+constexpr uint32_t field_location = 4, uv_location = 7;
 constexpr VkVertexInputBindingDescription vertex_bindings[] = {{0, sizeof(glm::vec3), VK_VERTEX_INPUT_RATE_VERTEX},
                                                                {1, sizeof(SurfaceVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
 constexpr VkVertexInputAttributeDescription vertex_attributes[] = {
@@ -67,6 +73,11 @@ void SurfacePipelines::make_layouts(VkDescriptorSetLayout view_layout) {
     joints_layout_ = make_set_layout(device_, {&joints, 1});
     const VkDescriptorSetLayout sets[] = {view_layout, joints_layout_};
     skinned_layout_ = make_pipeline_layout(device_, sets, sizeof(SurfacePush));
+    const VkDescriptorSetLayoutBinding texture{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                                               VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+    texture_set_layout_ = make_set_layout(device_, {&texture, 1});
+    const VkDescriptorSetLayout all[] = {view_layout, joints_layout_, texture_set_layout_};
+    textured_layout_ = make_pipeline_layout(device_, all, sizeof(SurfacePush));
 }
 
 void SurfacePipelines::need_stereo() {
@@ -105,8 +116,34 @@ void SurfacePipelines::make_main(Eyes eyes) {
 
     PipelineDesc skinned = surface;
     skinned.vertex = skinned_vertex.handle();
-    make_skinned(skinned, made.skinned);
+    make_skinned(skinned, skinned_layout_, made.skinned);
     made.surface = make_pipeline(device_, surface);
+    make_textured(eyes, surface);
+}
+
+void SurfacePipelines::make_textured(Eyes eyes, PipelineDesc desc) {
+    const bool stereo = eyes == Eyes::both;
+    const auto shader = [&](const char* file, std::span<const uint32_t> one, std::span<const uint32_t> both) {
+        const ShaderVariant variant = stereo ? ShaderVariant::textured_stereo : ShaderVariant::textured;
+        return ShaderModule(device_, shaders_->of(file, stereo ? both : one, variant));
+    };
+    const ShaderModule vertex = shader("surface.vert", surface_vert_textured_spv, surface_vert_textured_stereo_spv);
+    const ShaderModule fragment = shader("surface.frag", surface_frag_textured_spv, surface_frag_textured_stereo_spv);
+    const ShaderModule skinned =
+        shader("skinned_surface.vert", skinned_surface_vert_textured_spv, skinned_surface_vert_textured_stereo_spv);
+    std::vector<VkVertexInputBindingDescription> bindings(desc.bindings.begin(), desc.bindings.end());
+    std::vector<VkVertexInputAttributeDescription> attributes(desc.attributes.begin(), desc.attributes.end());
+    bindings.push_back({textured_binding, sizeof(glm::vec2), VK_VERTEX_INPUT_RATE_VERTEX});
+    attributes.push_back({uv_location, textured_binding, VK_FORMAT_R32G32_SFLOAT, 0});
+    desc.bindings = bindings;
+    desc.attributes = attributes;
+    desc.layout = textured_layout_;
+    desc.vertex = vertex.handle();
+    desc.fragment = fragment.handle();
+    Main& made = main_[static_cast<int>(eyes)];
+    made.textured = make_pipeline(device_, desc);
+    desc.vertex = skinned.handle();
+    make_skinned(desc, textured_layout_, made.textured_skinned);
 }
 
 void SurfacePipelines::make_shadows() {
@@ -123,17 +160,17 @@ void SurfacePipelines::make_shadows() {
     shadow.biased = true;
     shadow_ = make_pipeline(device_, shadow);
     shadow.vertex = skinned_vertex.handle();
-    make_skinned(shadow, skinned_shadow_);
+    make_skinned(shadow, skinned_layout_, skinned_shadow_);
 }
 
-void SurfacePipelines::make_skinned(PipelineDesc desc, VkPipeline (&out_pipelines)[2]) const {
+void SurfacePipelines::make_skinned(PipelineDesc desc, VkPipelineLayout layout, VkPipeline (&out_pipelines)[2]) const {
     std::vector<VkVertexInputBindingDescription> bindings(desc.bindings.begin(), desc.bindings.end());
     std::vector<VkVertexInputAttributeDescription> attributes(desc.attributes.begin(), desc.attributes.end());
     bindings.push_back(skin_binding);
     attributes.insert(attributes.end(), std::begin(skin_attributes), std::end(skin_attributes));
     for (VkVertexInputAttributeDescription& attribute : attributes)
         if (attribute.location == field_location) attribute.format = VK_FORMAT_R8G8B8A8_UNORM;  // the other colour
-    desc.layout = skinned_layout_;
+    desc.layout = layout;
     desc.bindings = bindings;
     desc.attributes = attributes;
     for (uint32_t skinning = 0; skinning < 2; ++skinning) {
@@ -155,10 +192,13 @@ SurfacePipelines::~SurfacePipelines() {
 
 void SurfacePipelines::destroy() {
     for (const Main& main : main_)
-        for (VkPipeline pipeline : {main.surface, main.border, main.skinned[0], main.skinned[1]})
+        for (VkPipeline pipeline : {main.surface, main.border, main.skinned[0], main.skinned[1], main.textured,
+                                    main.textured_skinned[0], main.textured_skinned[1]})
             vkDestroyPipeline(device_, pipeline, nullptr);
     for (VkPipeline pipeline : {shadow_, skinned_shadow_[0], skinned_shadow_[1]})
         vkDestroyPipeline(device_, pipeline, nullptr);
+    vkDestroyPipelineLayout(device_, textured_layout_, nullptr);
+    vkDestroyDescriptorSetLayout(device_, texture_set_layout_, nullptr);
     vkDestroyPipelineLayout(device_, skinned_layout_, nullptr);
     vkDestroyDescriptorSetLayout(device_, joints_layout_, nullptr);
     vkDestroyPipelineLayout(device_, layout_, nullptr);

@@ -28,6 +28,7 @@ struct SurfacePush {
     static constexpr uint32_t is_flat = 2;
 };
 
+constexpr uint32_t texture_set = 2, textured_binding = 3;
 constexpr uint32_t border_vertices = 12;  // of a line: four triangles, mirrors shaders/border.vert
 
 class SurfacePipelines {
@@ -55,18 +56,27 @@ public:
     VkPipeline skinned(FlgSkinning skinning, Eyes eyes) const { return of(eyes).skinned[skinning]; }
     VkPipeline skinned_shadow(FlgSkinning skinning) const { return skinned_shadow_[skinning]; }
 
+    // Of surfaces with textures, skins or not: set 2 is one of them; a fourth vertex buffer: texture coordinates.
+    VkDescriptorSetLayout texture_set_layout() const { return texture_set_layout_; }
+    VkPipelineLayout textured_layout() const { return textured_layout_; }
+    VkPipeline textured(Eyes eyes) const { return of(eyes).textured; }
+    VkPipeline textured_skinned(FlgSkinning skinning, Eyes eyes) const { return of(eyes).textured_skinned[skinning]; }
+
 private:
     // Of a main pass.
     struct Main {
         VkPipeline surface = VK_NULL_HANDLE;
         VkPipeline border = VK_NULL_HANDLE;
         VkPipeline skinned[2] = {};  // by FlgSkinning
+        VkPipeline textured = VK_NULL_HANDLE;
+        VkPipeline textured_skinned[2] = {};
     };
     const Main& of(Eyes eyes) const { return main_[static_cast<int>(eyes)]; }
     void make_layouts(VkDescriptorSetLayout view_layout);
     void make_main(Eyes eyes);
+    void make_textured(Eyes eyes, PipelineDesc desc);
     void make_shadows();
-    void make_skinned(PipelineDesc desc, VkPipeline (&out_pipelines)[2]) const;
+    void make_skinned(PipelineDesc desc, VkPipelineLayout layout, VkPipeline (&out_pipelines)[2]) const;
     void destroy();
 
     VkDevice device_;
@@ -77,6 +87,8 @@ private:
     VkPipeline shadow_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout joints_layout_ = VK_NULL_HANDLE;
     VkPipelineLayout skinned_layout_ = VK_NULL_HANDLE;
+    VkDescriptorSetLayout texture_set_layout_ = VK_NULL_HANDLE;
+    VkPipelineLayout textured_layout_ = VK_NULL_HANDLE;
     VkPipeline skinned_shadow_[2] = {};  // by FlgSkinning
 };
 

@@ -44,35 +44,75 @@ void bind_surface(VkCommandBuffer commands, const SurfacePipelines& pipelines, c
                             nullptr);
 }
 
+// A run of triangles after the other, each with its texture.
+void draw_runs(VkCommandBuffer commands, const SurfacePipelines& pipelines, const DeviceSurface& surface,
+               SurfaceDraws& draws) {
+    bind_vertices(commands, textured_binding, surface.uvs);
+    vkCmdBindIndexBuffer(commands, surface.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    uint32_t first = 0;
+    for (const SurfaceData::Run& run : surface.runs) {
+        const VkDescriptorSet set = surface.textures->set_of(run.texture);
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.textured_layout(), texture_set, 1,
+                                &set, 0, nullptr);
+        vkCmdDrawIndexed(commands, run.index_count, 1, first, 0, 0);
+        first += run.index_count;
+        ++draws.calls;
+    }
+    draws.triangles += surface.index_count / 3;
+}
+
 constexpr VkShaderStageFlags both_stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 void push_surface(VkCommandBuffer commands, VkPipelineLayout layout, const DeviceSurface& surface) {
     vkCmdPushConstants(commands, layout, both_stages, 0, sizeof surface.push, &surface.push);
 }
 
-}  // namespace
-
-DeviceSurface::DeviceSurface(UploadRing& ring, const FlgMeshView& mesh, const SurfaceLook& look,
-                             std::span<const float> field)
-    : DeviceSurface(ring, prepare_surface(mesh, look, field), look) {}
-
-DeviceSurface::DeviceSurface(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look)
-    : casts_shadow(look.casts_shadow) {
-    fill(ring, data, look);
+void record_textured(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets,
+                     const SurfaceStore& store, SurfaceDraws& draws) {
+    bool is_bound = false;
+    for (const auto& [id, surface] : store.items()) {
+        if (!surface->visible || !surface->textures || (surface->skin && !sets.joints)) continue;
+        if (!is_bound) {
+            const VkDescriptorSet both[] = {sets.view, sets.joints};
+            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.textured_layout(), 0,
+                                    sets.joints ? 2 : 1, both, 0, nullptr);
+            is_bound = true;
+        }
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                          surface->skin ? pipelines.textured_skinned(surface->skin->skinning, sets.eyes)
+                                        : pipelines.textured(sets.eyes));
+        push_surface(commands, pipelines.textured_layout(), *surface);
+        bind_vertices(commands, 0, surface->positions);
+        bind_vertices(commands, 1, surface->vertices);
+        if (surface->skin) bind_vertices(commands, 2, surface->skin->vertices);
+        draw_runs(commands, pipelines, *surface, draws);
+    }
 }
 
-DeviceSurface::DeviceSurface(UploadRing& ring, const FlgSkinView& view, const SurfaceLook& look)
+}  // namespace
+
+DeviceSurface::DeviceSurface(const SurfacePlace& to, const FlgMeshView& mesh, const SurfaceLook& look,
+                             std::span<const float> field)
+    : DeviceSurface(to, prepare_surface(mesh, look, field), look) {}
+
+DeviceSurface::DeviceSurface(const SurfacePlace& to, const SurfaceData& data, const SurfaceLook& look)
+    : casts_shadow(look.casts_shadow) {
+    fill(to, data, look);
+}
+
+DeviceSurface::DeviceSurface(const SurfacePlace& to, const FlgSkinView& view, const SurfaceLook& look)
     : casts_shadow(look.casts_shadow) {
     SkinData data = prepare_skin(view, look);
-    fill(ring, data.surface, look);
+    fill(to, data.surface, look);
     std::vector<float> rest;
     for (uint32_t j = 0; j < view.joint_count; ++j) rest.insert(rest.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
-    Buffer skin_vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
+    Buffer skin_vertices = to.ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
     skin = std::make_unique<DeviceSkin>(DeviceSkin{std::move(skin_vertices), std::move(data.bounds), view.joint_count,
                                                    FLG_SKINNING_LINEAR, std::move(rest)});
 }
 
-void DeviceSurface::fill(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look) {
+void DeviceSurface::fill(const SurfacePlace& to, const SurfaceData& data, const SurfaceLook& look) {
+    UploadRing& ring = to.ring;
     push = push_of(data, look);
     place(placement);
     box = data.box;
@@ -82,6 +122,10 @@ void DeviceSurface::fill(UploadRing& ring, const SurfaceData& data, const Surfac
     vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
     indices = ring.make_filled(data.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, MemoryUse::surfaces);
     borders = ring.make_filled(data.borders, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
+    if (data.runs.empty()) return;
+    runs = data.runs;
+    uvs = ring.make_filled(data.uvs, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
+    textures = std::make_unique<SurfaceTextures>(to.memory, ring, to.texture_layout, look.textures);
 }
 
 void DeviceSurface::place(const Placement& at) {
@@ -94,6 +138,9 @@ void DeviceSurface::add_targets(UploadTargets& targets) const {
     for (const Buffer* buffer : {&positions, &vertices, &indices, &borders})
         targets.buffers.push_back(buffer->handle());
     if (skin) targets.buffers.push_back(skin->vertices.handle());
+    if (!textures) return;
+    targets.buffers.push_back(uvs.handle());
+    textures->add_targets(targets);
 }
 
 Box SurfaceStore::bounds() const {
@@ -127,9 +174,10 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
                              const SurfaceStore& store) {
     SurfaceDraws draws;
     if (store.items().empty()) return draws;
+    record_textured(commands, pipelines, sets, store, draws);
     bind_surface(commands, pipelines, sets);
     for (const auto& [id, surface] : store.items()) {
-        if (!surface->visible || surface->skin) continue;
+        if (!surface->visible || surface->skin || surface->textures) continue;
         push_surface(commands, pipelines.layout(), *surface);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.surface(sets.eyes));
         bind_vertices(commands, 0, surface->positions);
@@ -138,7 +186,7 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
     }
     if (!bind_skins(commands, pipelines, sets)) return draws;
     for (const auto& [id, surface] : store.items()) {
-        if (!surface->visible || !surface->skin) continue;
+        if (!surface->visible || !surface->skin || surface->textures) continue;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           pipelines.skinned(surface->skin->skinning, sets.eyes));
         push_surface(commands, pipelines.skinned_layout(), *surface);

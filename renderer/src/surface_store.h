@@ -7,6 +7,7 @@
 #include "skin_data.h"
 #include "surface_data.h"
 #include "surface_pipelines.h"
+#include "surface_textures.h"
 #include "upload_ring.h"
 
 namespace flg::render {
@@ -20,12 +21,20 @@ struct DeviceSkin {
     std::vector<float> transforms;
 };
 
+// Where surfaces are made.
+struct SurfacePlace {
+    DeviceMemory& memory;
+    UploadRing& ring;
+    VkDescriptorSetLayout texture_layout;
+};
+
 // One upload.
 struct DeviceSurface {
-    DeviceSurface(UploadRing& ring, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field);
-    DeviceSurface(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look);
+    DeviceSurface(const SurfacePlace& place, const FlgMeshView& mesh, const SurfaceLook& look,
+                  std::span<const float> field);
+    DeviceSurface(const SurfacePlace& place, const SurfaceData& data, const SurfaceLook& look);
     // At rest.
-    DeviceSurface(UploadRing& ring, const FlgSkinView& skin, const SurfaceLook& look);
+    DeviceSurface(const SurfacePlace& place, const FlgSkinView& skin, const SurfaceLook& look);
 
     bool casts_shadow;
     bool visible = true;
@@ -36,13 +45,17 @@ struct DeviceSurface {
     uint32_t border_count;
     Buffer positions, vertices, indices, borders;
     std::unique_ptr<DeviceSkin> skin;  // null: it stays as it is
+    // With textures; else null and empty.
+    std::unique_ptr<SurfaceTextures> textures;
+    Buffer uvs;
+    std::vector<SurfaceData::Run> runs;
 
     void place(const Placement& at);
 
     void add_targets(UploadTargets& targets) const;
 
 private:
-    void fill(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look);
+    void fill(const SurfacePlace& to, const SurfaceData& data, const SurfaceLook& look);
 };
 
 class SurfaceStore : public DeviceStore<DeviceSurface> {

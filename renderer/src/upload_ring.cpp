@@ -51,9 +51,13 @@ void UploadRing::stage(const Buffer& target, VkDeviceSize offset, const void* da
     }
 }
 
-void UploadRing::upload(const DeviceImage& target, const Image& image) {
-    const VkDeviceSize row_bytes = texel_bytes * image.width;
+void UploadRing::upload(const DeviceImage& target, std::span<const Image> levels) {
     images_.push_back(target.handle());
+    for (uint32_t level = 0; level < levels.size(); ++level) stage_level(target, levels[level], level);
+}
+
+void UploadRing::stage_level(const DeviceImage& target, const Image& image, uint32_t level) {
+    const VkDeviceSize row_bytes = texel_bytes * image.width;
     for (uint32_t y = 0; y < image.height;) {
         Block& block = block_with(row_bytes);
         const uint32_t rows =
@@ -61,7 +65,7 @@ void UploadRing::upload(const DeviceImage& target, const Image& image) {
         std::memcpy(static_cast<char*>(block.buffer.mapped()) + block.used, image.at(0, y), rows * row_bytes);
         VkBufferImageCopy region{};
         region.bufferOffset = block.used;
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
         region.imageOffset.y = static_cast<int32_t>(y);
         region.imageExtent = {image.width, rows, 1};
         image_copies_.push_back({block.buffer.handle(), target.handle(), region});
@@ -131,7 +135,7 @@ void UploadRing::record_images(VkCommandBuffer commands) const {
         barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = images_[i];
-        barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, 1};
     }
     const auto count = static_cast<uint32_t>(barriers.size());
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "filigree_renderer/image.h"
@@ -25,7 +26,9 @@ public:
     // `target` must live until the next recorded frame is done.
     void upload(const Buffer& target, const void* data, VkDeviceSize size);
     // The same for an image of RGBA bytes, which must be new; it can be sampled from the next recorded frame on.
-    void upload(const DeviceImage& target, const Image& image);
+    void upload(const DeviceImage& target, const Image& image) { upload(target, {&image, 1}); }
+    // The same with its coarser levels.
+    void upload(const DeviceImage& target, std::span<const Image> levels);
     // The same into a buffer from `offset` on, of which frames in flight may still read: the copy waits for them.
     void rewrite(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size);
     // A buffer on the device that holds these from the next recorded frame on.
@@ -70,6 +73,7 @@ private:
         VkDeviceSize used = 0;
         uint64_t frame = 0;
     };
+    void stage_level(const DeviceImage& target, const Image& image, uint32_t level);
     void stage(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size);
 
     struct Copy {

@@ -99,6 +99,12 @@ std::vector<FlgMeshMaterial> MeshFile::materials() const {
     return materials;
 }
 
+std::vector<FlgTexture> MeshFile::textures() const {
+    std::vector<FlgTexture> textures(info_.texture_count, flgTextureDefaults());
+    for (uint32_t i = 0; i < textures.size(); ++i) check_io(flgMeshFileGetTexture(file_.get(), i, &textures[i]));
+    return textures;
+}
+
 const FlgColumn& positions_of(const FlgMeshView& mesh) {
     return *std::find_if(mesh.columns, mesh.columns + mesh.column_count,
                          [](const FlgColumn& column) { return column.attribute == FLG_ATTRIBUTE_POSITION; });

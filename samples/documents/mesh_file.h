@@ -26,6 +26,8 @@ public:
     std::vector<FlgMeshFaceColumn> face_columns() const;
     // By region; empty where the file has none with a colour.
     std::vector<FlgMeshMaterial> materials() const;
+    // What materials refer to.
+    std::vector<FlgTexture> textures() const;
 
 private:
     struct Builtin {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Meshes that are pulled at: made, shown, released.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
 #include "api/mesh_inputs.h"
+#include "pulling/handle_keys.h"
 #include "pulling/pulled_mesh.h"
 
 namespace flg {
@@ -43,6 +45,35 @@ void check_handle(const FlgPullHandle& handle, uint32_t number) {
         check(is_coordinate(value), "position", value, "finite and at most 1e30 in size");
     check(handle.compliance >= 0 && std::isfinite(handle.compliance), "compliance", handle.compliance,
           "0, or above and finite");
+}
+
+void check_keys(const FlgPullKeys& keys) {
+    check_range(keys.handle_count >= 1 && keys.handle_count <= FLG_PULL_MAX_HANDLES, "keys.handle_count",
+                keys.handle_count, "1 to 256");
+    require(keys.offsets, "keys.offsets");
+    check_range(keys.offsets[0] == 0, "keys.offsets[0]", keys.offsets[0], "0");
+    for (uint32_t h = 0; h < keys.handle_count; ++h) {
+        if (keys.offsets[h + 1] > keys.offsets[h]) continue;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "keys.offsets[%u] is %u after %u: handle %u needs a key", h + 1,
+                      keys.offsets[h + 1], keys.offsets[h], h);
+    }
+    require(keys.times, "keys.times");
+    require(keys.positions, "keys.positions");
+    for (uint32_t h = 0; h < keys.handle_count; ++h) {
+        for (uint32_t key = keys.offsets[h]; key < keys.offsets[h + 1]; ++key) {
+            const bool rises = key == keys.offsets[h] || keys.times[key] > keys.times[key - 1];
+            if (!std::isfinite(keys.times[key]) || !rises)
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                              "keys.times[%u] is %g, must be finite and after the one before of its handle", key,
+                              keys.times[key]);
+            for (size_t i = 3 * size_t{key}; i < 3 * size_t{key} + 3; ++i) {
+                if (is_coordinate(keys.positions[i])) continue;
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                              "keys.positions[%zu] is %g, must be finite and at most 1e30 in size", i,
+                              double{keys.positions[i]});
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -140,6 +171,25 @@ FlgResult flgPulledGetView(FlgContext context, FlgPulled pulled, FlgPulledView* 
 
 FlgResult flgPulledRelease(FlgContext context, FlgPulled pulled) {
     return release(context, &Context::pulled, pulled, "pulled");
+}
+
+FlgResult flgPullKeysInit(FlgPullKeys* keys, uint32_t struct_size) {
+    return init(keys, struct_size, sized<FlgPullKeys>(), "keys");
+}
+
+FlgResult flgPullKeysSample(const FlgPullKeys* keys, double time, float* out_positions) {
+    return guarded([&] {
+        const FlgPullKeys read = read_struct(keys, sized<FlgPullKeys>(), "keys");
+        check_keys(read);
+        check_range(std::isfinite(time), "time", time, "finite");
+        require(out_positions, "out_positions");
+        for (uint32_t h = 0; h < read.handle_count; ++h) {
+            const uint32_t first = read.offsets[h], count = read.offsets[h + 1] - first;
+            const std::array<float, 3> at =
+                handle_at({read.times + first, count}, read.positions + 3 * size_t{first}, time);
+            std::copy(at.begin(), at.end(), out_positions + 3 * size_t{h});
+        }
+    });
 }
 
 }  // extern "C"

@@ -31,6 +31,7 @@ struct FlgMeshFileT : flg::io::HostFile {
     flg::io::Vector<FlgColumn> columns;
     flg::io::Vector<FlgMeshFaceColumn> face_columns;
     flg::io::Vector<FlgMeshMaterial> materials;
+    flg::io::Vector<FlgTexture> textures;
     flg::io::Vector<const char*> warnings;
 };
 
@@ -78,7 +79,8 @@ MeshData read_from(const Path& path, const Origin& origin) {
     }
     const ByteBlock file = read_file(path, "");
     if (extension == ".ply") return read_ply(file.bytes(), origin);
-    return extension == ".obj" ? read_obj_mesh(as_text(file.bytes()), origin) : read_off(as_text(file.bytes()), origin);
+    return extension == ".obj" ? read_obj_mesh(as_text(file.bytes()), path, origin)
+                               : read_off(as_text(file.bytes()), origin);
 }
 
 MeshData read_mesh(const Path& path) {
@@ -133,6 +135,7 @@ FlgResult flgMeshFileRead(const char* path, const FlgMeshFileReadDesc* desc, Flg
             shown.values = column.values.data();
         }
         for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
+        for (const TextureData& texture : data.textures) file->textures.push_back(texture_view(texture));
         for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
         return file;
     });
@@ -171,6 +174,15 @@ FlgResult flgMeshFileGetMaterial(FlgMeshFile file, uint32_t material, FlgMeshMat
                     "out_material");
 }
 
+FlgResult flgTextureInit(FlgTexture* texture, uint32_t struct_size) {
+    return init("flgTextureInit", texture, struct_size, sized<FlgTexture>(), "texture");
+}
+
+FlgResult flgMeshFileGetTexture(FlgMeshFile file, uint32_t texture, FlgTexture* out_texture) {
+    return show_one("flgMeshFileGetTexture", file, &FlgMeshFileT::textures, texture, "texture", out_texture,
+                    "out_texture");
+}
+
 FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info) {
     return show("flgMeshFileGetInfo", file, out_info, "out_info", [](const FlgMeshFileT& shown) {
         const MeshData& data = shown.data;
@@ -185,6 +197,8 @@ FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info) {
         info.warnings = shown.warnings.data();
         info.material_count = static_cast<uint32_t>(shown.materials.size());
         info.face_column_count = static_cast<uint32_t>(shown.face_columns.size());
+        info.texture_count = static_cast<uint32_t>(shown.textures.size());
+        if (!data.corner_uvs.empty()) info.corner_uvs = data.corner_uvs.data();
         return info;
     });
 }

@@ -17,7 +17,10 @@ struct FlgSkinFileT : flg::io::HostFile {
     uint32_t part_count = 1;
     flg::io::Vector<const char*> joint_names, warnings;
     flg::io::Vector<FlgMeshMaterial> materials;
+    flg::io::Vector<FlgTexture> textures;
     flg::io::Vector<FlgSkinAnimation> animations;
+    flg::io::Vector<FlgMorphTarget> morphs;
+    flg::io::Vector<FlgMorphAnimation> morph_animations;
 };
 
 namespace flg::io {
@@ -34,6 +37,24 @@ FlgSkinAnimation view_of(const AnimationData& data) {
     return view;
 }
 
+FlgMorphTarget view_of(const MorphTargetData& data) {
+    auto view = sized<FlgMorphTarget>();
+    view.name = data.name.c_str();
+    view.moves = data.moves.data();
+    view.normal_moves = data.normal_moves.data();
+    return view;
+}
+
+FlgMorphAnimation view_of(const MorphAnimationData& data) {
+    auto view = sized<FlgMorphAnimation>();
+    view.key_count = static_cast<uint32_t>(data.times.size());
+    view.name = data.name.c_str();
+    view.times = data.times.data();
+    view.weights = data.weights.data();
+    view.animation = data.animation;
+    return view;
+}
+
 Owned<FlgSkinFileT> make_file(SkinData&& read) {
     auto file = make_owned<FlgSkinFileT>();
     file->data = std::move(read);
@@ -44,7 +65,11 @@ Owned<FlgSkinFileT> make_file(SkinData&& read) {
     for (const String& name : data.joint_names) file->joint_names.push_back(name.c_str());
     for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
     for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
+    for (const TextureData& texture : data.textures) file->textures.push_back(texture_view(texture));
     for (const AnimationData& animation : data.animations) file->animations.push_back(view_of(animation));
+    for (const MorphTargetData& target : data.morphs) file->morphs.push_back(view_of(target));
+    for (const MorphAnimationData& animation : data.morph_animations)
+        file->morph_animations.push_back(view_of(animation));
     return file;
 }
 
@@ -89,6 +114,7 @@ FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view) {
         view.joint_positions = data.joint_positions.data();
         view.joint_parents = data.joint_parents.data();
         view.joint_names = shown.joint_names.data();
+        if (!data.corner_uvs.empty()) view.corner_uvs = data.corner_uvs.data();
         return view;
     });
 }
@@ -103,6 +129,31 @@ FlgResult flgSkinFileGetMaterial(FlgSkinFile file, uint32_t material, FlgMeshMat
                     "out_material");
 }
 
+FlgResult flgSkinFileGetTexture(FlgSkinFile file, uint32_t texture, FlgTexture* out_texture) {
+    return show_one("flgSkinFileGetTexture", file, &FlgSkinFileT::textures, texture, "texture", out_texture,
+                    "out_texture");
+}
+
+FlgResult flgMorphTargetInit(FlgMorphTarget* target, uint32_t struct_size) {
+    return init("flgMorphTargetInit", target, struct_size, sized<FlgMorphTarget>(), "target");
+}
+
+FlgResult flgMorphAnimationInit(FlgMorphAnimation* animation, uint32_t struct_size) {
+    auto defaults = sized<FlgMorphAnimation>();
+    defaults.animation = FLG_NO_INDEX;
+    return init("flgMorphAnimationInit", animation, struct_size, defaults, "animation");
+}
+
+FlgResult flgSkinFileGetMorphTarget(FlgSkinFile file, uint32_t target, FlgMorphTarget* out_target) {
+    return show_one("flgSkinFileGetMorphTarget", file, &FlgSkinFileT::morphs, target, "target", out_target,
+                    "out_target");
+}
+
+FlgResult flgSkinFileGetMorphAnimation(FlgSkinFile file, uint32_t animation, FlgMorphAnimation* out_animation) {
+    return show_one("flgSkinFileGetMorphAnimation", file, &FlgSkinFileT::morph_animations, animation, "animation",
+                    out_animation, "out_animation");
+}
+
 FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info) {
     return show("flgSkinFileGetInfo", file, out_info, "out_info", [](const FlgSkinFileT& shown) {
         auto info = sized<FlgSkinFileInfo>();
@@ -112,6 +163,10 @@ FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info) {
         info.warning_count = static_cast<uint32_t>(shown.warnings.size());
         info.warnings = shown.warnings.data();
         info.material_count = static_cast<uint32_t>(shown.materials.size());
+        info.texture_count = static_cast<uint32_t>(shown.textures.size());
+        if (!shown.data.colors.empty()) info.vertex_colors = shown.data.colors.data();
+        info.morph_count = static_cast<uint32_t>(shown.morphs.size());
+        info.morph_animation_count = static_cast<uint32_t>(shown.morph_animations.size());
         return info;
     });
 }

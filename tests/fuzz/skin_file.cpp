@@ -36,6 +36,27 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     }
     desc.materials = materials.data();
     desc.material_count = info.material_count;
+    std::vector<FlgTexture> textures(info.texture_count, flgTextureDefaults());
+    for (uint32_t i = 0; i < info.texture_count; ++i)
+        FLG_DEMAND(flgSkinFileGetTexture(file, i, &textures[i]) == FLG_OK);
+    // Materials may say a texture where no primitive has coordinates.
+    if (view.corner_uvs) {
+        desc.textures = textures.data();
+        desc.texture_count = info.texture_count;
+    } else {
+        for (FlgMeshMaterial& material : materials) material.texture = FLG_NO_INDEX;
+    }
+    desc.vertex_colors = info.vertex_colors;
+    std::vector<FlgMorphTarget> morphs(info.morph_count, flgMorphTargetDefaults());
+    for (uint32_t i = 0; i < info.morph_count; ++i)
+        FLG_DEMAND(flgSkinFileGetMorphTarget(file, i, &morphs[i]) == FLG_OK);
+    std::vector<FlgMorphAnimation> shapes(info.morph_animation_count, flgMorphAnimationDefaults());
+    for (uint32_t i = 0; i < info.morph_animation_count; ++i)
+        FLG_DEMAND(flgSkinFileGetMorphAnimation(file, i, &shapes[i]) == FLG_OK);
+    desc.morphs = morphs.data();
+    desc.morph_count = info.morph_count;
+    desc.morph_animations = shapes.data();
+    desc.morph_animation_count = info.morph_animation_count;
     desc.skin = &view;
     FLG_DEMAND(flgSkinFileWrite(copy.holding(nullptr, 0), &desc) == FLG_OK);
     flgSkinFileRelease(file);

@@ -166,6 +166,30 @@ void keep_skin_files(Calls& calls) {
     desc.materials = &look;
     desc.material_count = 1;
     const FlgSkinFileReadDesc read_desc = FLG_INIT(calls, flgSkinFileReadDescInit);
+    const float moves[9] = {0, 0, 0.5f, 0, 0, 0, 0, 0, 0}, amounts[] = {0, 1};
+    FlgMorphTarget shape = FLG_INIT(calls, flgMorphTargetInit);
+    shape.moves = moves;
+    FlgMorphAnimation swelling = FLG_INIT(calls, flgMorphAnimationInit);
+    swelling.key_count = 2;
+    swelling.times = times;
+    swelling.weights = amounts;
+    desc.morphs = &shape;
+    desc.morph_count = 1;
+    desc.morph_animations = &swelling;
+    desc.morph_animation_count = 1;
+    constexpr uint8_t picture[] = {0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};  // no reader looks further
+    FlgTexture texture = FLG_INIT(calls, flgTextureInit);
+    texture.picture = picture;
+    texture.picture_size = sizeof picture;
+    const float uvs[6] = {0, 0, 1, 0, 0, 1};
+    FlgSkinView textured = skin;
+    textured.corner_uvs = uvs;
+    FlgMeshMaterial painted = look;
+    painted.texture = 0;
+    desc.skin = &textured;
+    desc.materials = &painted;
+    desc.textures = &texture;
+    desc.texture_count = 1;
     FLG_CALL(calls, flgSkinFileWrite, path.c_str(), &desc);
     // As an avatar: too few bones.
     FlgVrm vrm = FLG_INIT(calls, flgVrmInit);
@@ -184,6 +208,20 @@ void keep_skin_files(Calls& calls) {
     FlgSkinAnimation shown = FLG_INIT(calls, flgSkinAnimationInit);
     FLG_CALL(calls, flgSkinFileGetAnimation, read.file, 0u, &shown);
     EXPECT_STREQ(shown.name, "nod");
+    FlgMorphTarget shown_shape = flgMorphTargetDefaults();
+    FLG_CALL(calls, flgSkinFileGetMorphTarget, read.file, 0u, &shown_shape);
+    EXPECT_EQ(shown_shape.moves[2], 0.5f);
+    FlgMorphAnimation shown_weights = flgMorphAnimationDefaults();
+    FLG_CALL(calls, flgSkinFileGetMorphAnimation, read.file, 0u, &shown_weights);
+    EXPECT_EQ(shown_weights.weights[1], 1);
+    FlgTexture shown_texture = flgTextureDefaults();
+    FLG_CALL(calls, flgSkinFileGetTexture, read.file, 0u, &shown_texture);
+    EXPECT_EQ(shown_texture.picture_size, sizeof picture);
+    Owned<FlgMeshFile> plain(calls, flgMeshFileRelease, "flgMeshFileRelease");
+    const FlgMeshFileReadDesc plain_desc = FLG_INIT(calls, flgMeshFileReadDescInit);
+    FLG_CALL(calls, flgMeshFileRead, path.c_str(), &plain_desc, &plain.file);
+    FLG_CALL(calls, flgMeshFileGetTexture, plain.file, 0u, &shown_texture);
+    EXPECT_EQ(shown_texture.picture_size, sizeof picture);
     FlgMeshMaterial shown_look = flgMeshMaterialDefaults();
     FLG_CALL(calls, flgSkinFileGetMaterial, read.file, 0u, &shown_look);
     EXPECT_EQ(info_of(calls, "flgSkinFileGetInfo", flgSkinFileGetInfo, read.file, FLG_INIT(calls, flgSkinFileInfoInit))

@@ -219,6 +219,18 @@ void pull_meshes(Calls& calls) {
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
     FLG_CALL(calls, flgPulledRelease, calls.context, frame.previous);
     FLG_CALL(calls, flgPullRelease, calls.context, pull);
+
+    const uint32_t offsets[] = {0, 3, 4};
+    const double times[] = {0, 1, 3, 0};
+    const float places[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1};
+    FlgPullKeys keys = FLG_INIT(calls, flgPullKeysInit);
+    keys.handle_count = 2;
+    keys.offsets = offsets;
+    keys.times = times;
+    keys.positions = places;
+    float at[6];
+    FLG_CALL(calls, flgPullKeysSample, &keys, 1.5, at);
+    calls.note(at, sizeof at);
 }
 
 namespace {

@@ -23,6 +23,7 @@ TEST(ObjMesh, ReadsFacesInAllTheirWays) {
     EXPECT_EQ(mesh.format, "obj");
     EXPECT_EQ(mesh.columns.size(), 1u);
     EXPECT_EQ(mesh.warnings,
+              "the materials of 'a.mtl' can't be read: left out\n"
               "2 lines: of lines or points (`l`, `p`), left out: only faces are read (first: line 17)\n");
 }
 

@@ -150,5 +150,85 @@ TEST_F(SkeletonLooks, SharpCornersStay) {
     EXPECT_GT(off(model({"square.poly.txt", "--vertices", "1000"})), 0.02);
 }
 
+// A box with colours, materials, a texture and corners that differ in their coordinates.
+constexpr const char* painted_box =
+    "mtllib box.mtl\nv 0 0 0 1 0 0\nv 4 0 0 0 1 0\nv 4 1 0 0 0 1\nv 0 1 0 1 1 1\nv 0 0 1 1 0 0\nv 4 0 1 0 1 0\n"
+    "v 4 1 1 0 0 1\nv 0 1 1 1 1 1\nvt 0.2 0.2\nvt 0.8 0.2\nvt 0.8 0.8\nvt 0.2 0.8\n"
+    "usemtl painted\nf 5/1 6/2 7/3 8/4\nf 2/1 1/2 4/3 3/4\nusemtl bare\nf 6/1 2/2 3/3 7/4\nf 1/1 5/2 8/3 4/4\n"
+    "f 8/1 7/2 3/3 4/4\nf 1/1 2/2 6/3 5/4\n";
+
+TEST_F(SkeletonLooks, MeshesKeepTheirColumnsMaterialsAndTextures) {
+    folder.write("box.obj", painted_box);
+    folder.write("box.mtl", "newmtl painted\nKd 1 1 1\nmap_Kd drawn.png\nnewmtl bare\nKd 0 0.5 0\n");
+    const Model made = model({"--mesh", "box.obj"});
+    const std::vector<float> at = made.attribute(0, "POSITION", 3), uv = made.attribute(0, "TEXCOORD_0", 2),
+                             colors = made.attribute(0, "COLOR_0", 4);
+    // The file's vertices first, in their order.
+    ASSERT_GT(at.size(), 24u);
+    for (size_t v = 0; v < 8; ++v) {
+        EXPECT_EQ(at[3 * v], (v % 4 == 1 || v % 4 == 2) ? 4 : 0);
+        EXPECT_EQ(at[3 * v + 1], v % 4 >= 2 ? 1 : 0);
+        EXPECT_EQ(at[3 * v + 2], v >= 4 ? 1 : 0);
+        EXPECT_EQ(colors[4 * v], v % 4 == 0 || v % 4 == 3 ? 1 : 0);
+    }
+    const Json& primitives = made.json.at("meshes").at(0).at("primitives");
+    ASSERT_EQ(primitives.size(), 2u);
+    // Triangles in their order, each corner with its texture coordinates.
+    const std::vector<uint32_t> front = made.values<uint32_t>(primitives[0].at("indices"), 1);
+    ASSERT_EQ(front.size(), 12u);
+    const float expected[6][2] = {{0.2f, 0.8f}, {0.8f, 0.8f}, {0.8f, 0.2f}, {0.2f, 0.8f}, {0.8f, 0.2f}, {0.2f, 0.2f}};
+    const float places[6][2] = {{0, 0}, {4, 0}, {4, 1}, {0, 0}, {4, 1}, {0, 1}};
+    for (size_t c = 0; c < 6; ++c) {
+        for (size_t k = 0; k < 2; ++k) {
+            EXPECT_NEAR(uv[2 * front[c] + k], expected[c][k], 1e-6f);
+            EXPECT_EQ(at[3 * front[c] + k], places[c][k]);
+        }
+    }
+    const Json& painted = made.json.at("materials").at(primitives[0].at("material").get<size_t>());
+    EXPECT_EQ(painted.at("name"), "painted");
+    EXPECT_EQ(painted.at("pbrMetallicRoughness").at("baseColorTexture").at("index"), 0);
+    const Json& bare = made.json.at("materials").at(primitives[1].at("material").get<size_t>());
+    EXPECT_EQ(bare.at("pbrMetallicRoughness").at("baseColorFactor"), Json::array({0, 0.5, 0, 1}));
+    EXPECT_FALSE(bare.at("pbrMetallicRoughness").contains("baseColorTexture"));
+    EXPECT_TRUE(report().at("warnings").empty()) << report().at("warnings");
+}
+
+TEST_F(SkeletonLooks, WhatAMeshCannotKeepIsNamed) {
+    folder.write("box.obj", painted_box);
+    model({"--mesh", "box.obj"});
+    EXPECT_NE(report().at("warnings").dump().find("the materials of 'box.mtl' can't be read"), std::string::npos);
+}
+
+#if defined(FLG_WITH_RENDERER)
+// The colour of a pixel of a picture, by shares of its width and height.
+std::array<int, 3> pixel_of(const std::string& png, double x, double y) {
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()), static_cast<int>(png.size()), &width,
+                              &height, &channels, 3),
+        stbi_image_free);
+    EXPECT_TRUE(pixels);
+    if (!pixels) return {};
+    const stbi_uc* p = pixels.get() + 3 * (static_cast<size_t>(y * height) * static_cast<size_t>(width) +
+                                           static_cast<size_t>(x * width));
+    return {p[0], p[1], p[2]};
+}
+
+TEST_F(SkeletonLooks, TexturesAreDrawnOnMeshesAndSkins) {
+    folder.write("box.obj", painted_box);
+    folder.write("box.mtl", "newmtl painted\nKd 1 1 1\nmap_Kd drawn.png\nnewmtl bare\nKd 0 0.5 0\n");
+    model({"--mesh", "box.obj"});
+    for (const char* file : {"box.obj", "a.glb"}) {
+        done({"render", file, "-o", "box.png", "--size", "300x150", "--camera", "0,0", "--quiet"});
+        const std::array<int, 3> left = pixel_of(folder.read("box.png"), 0.3, 0.5),
+                                 right = pixel_of(folder.read("box.png"), 0.7, 0.5);
+        EXPECT_GT(left[0], 2 * left[2]) << file;
+        EXPECT_GT(right[2], 2 * right[0]) << file;
+    }
+    folder.write("drawn.png", "\x89PNG no picture");
+    expect_refused({"render", "box.obj", "-o", "box.png"}, 1, {"box.obj", "a texture can't be decoded"});
+}
+#endif
+
 }  // namespace
 }  // namespace flg::test

@@ -32,7 +32,10 @@ _DEFAULTS = {"flgContextRun.jobs": "{}", "flgContextRun.seconds": "1e9", "flgSty
              "flgCurveSetCreateFromPoints.flags": "0", "flgPickSceneSetSurface.changed": "{}",
              "flgManifoldProject.out_distances": "nullptr"}
 # Structs that calls fill, but hosts make too: a length of theirs is another struct's.
-_DESCRIPTORS = {"FlgSkinAnimation", "FlgMeshFaceColumn", "FlgMeshMaterial"}
+_DESCRIPTORS = {"FlgSkinAnimation", "FlgMeshFaceColumn", "FlgMeshMaterial", "FlgTexture", "FlgMorphTarget",
+                "FlgMorphAnimation"}
+# Members of views whose length only another view knows: pointers, as in C.
+_POINTERS = {"FlgSkinFileInfo.vertex_colors"}
 # Structs that are changed, and may be null.
 _NULLABLE = {"flgBrushMeshWrite.state"}
 # Results without `out_` in their name.
@@ -173,6 +176,8 @@ class Wrapper:
         return any(self._is_array(struct, f) or _base(f["type"]).endswith("View") for f in struct["fields"])
 
     def _is_array(self, struct: dict, field: dict) -> bool:
+        if f"{struct['name']}.{field['name']}" in _POINTERS:
+            return False
         kind = field["type"]
         return kind.startswith("const ") and kind.endswith("*") and kind != "const char*" and not self._is_nested(field)
 

@@ -195,6 +195,18 @@ std::vector<double> page_of_svg(const std::string& path) {
     return {};
 }
 
+DecodedPicture decode_picture(const uint8_t* file, uint64_t size, const std::string& subject) {
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+        size > INT32_MAX ? nullptr : stbi_load_from_memory(file, int(size), &width, &height, &channels, int(kChannels)),
+        stbi_image_free);
+    if (!pixels)
+        throw InputError(subject + ": a texture can't be decoded: " +
+                         (size > INT32_MAX ? "it is above 2 GiB" : stbi_failure_reason()));
+    const size_t bytes = kChannels * size_t(width) * size_t(height);
+    return {uint32_t(width), uint32_t(height), {pixels.get(), pixels.get() + bytes}};
+}
+
 void place_picture(const PictureOptions& options, ModelDrawing& drawing) {
     std::array<double, 4> box = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (const DrawnPart& part : drawing.parts) {

@@ -24,6 +24,15 @@ std::vector<double> page_of_svg(const std::string& path);
 // lying flat: their turns do not matter.
 void place_picture(const PictureOptions& options, ModelDrawing& drawing);
 
+// A PNG or JPEG file as RGBA, rows from the top.
+struct DecodedPicture {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> pixels;
+};
+
+// Throws InputError about `subject`.
+DecodedPicture decode_picture(const uint8_t* file, uint64_t size, const std::string& subject);
+
 // The picture as a PNG file. Throws InputError.
 std::vector<uint8_t> bled_picture(const PictureOptions& options, const ModelDrawing& drawing);
 

@@ -25,6 +25,7 @@ MeshModel::MeshModel(Session& session, const std::string& file, const FlgBoneThr
     session.finish({{{job, file}}}, report);
     check(flgSkinGetView(session.context(), made, &skin_), file);
 
+    looks_ = looks_of(file_, skin_, report);
     const uint32_t joints = skin_.joint_count;
     places_.assign(skin_.joint_positions, skin_.joint_positions + 3 * size_t{joints});
     pinned_.assign(joints, 0);

@@ -9,6 +9,7 @@
 #include "documents/model_drawing.h"
 #include "documents/report.h"
 #include "documents/session.h"
+#include "skin_looks.h"
 
 namespace flg::cli {
 
@@ -21,12 +22,14 @@ public:
 
     const MeshFile& file() const { return file_; }
     const FlgSkinView& skin() const { return skin_; }
+    const SkinLooks& looks() const { return looks_; }
     const FlgModelView& bones() const { return bones_; }
     const ModelDrawing& drawing() const { return drawing_; }
 
 private:
     MeshFile file_;
     FlgSkinView skin_ = flgSkinViewDefaults();
+    SkinLooks looks_;
     FlgModelView bones_ = flgModelViewDefaults();
     ModelDrawing drawing_;
     std::vector<double> places_;

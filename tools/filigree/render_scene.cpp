@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "documents/failure.h"
+#include "drawn_picture.h"
 #include "field_file.h"
 #include "joined_curves.h"
 #include "render_bones.h"
@@ -47,10 +48,29 @@ std::vector<render::Material> materials_of(const std::vector<FlgMeshMaterial>& g
         to.color = {from.color[0], from.color[1], from.color[2]};
         to.metallic = from.metallic;
         to.roughness = from.roughness;
+        to.texture = from.texture == FLG_NO_INDEX ? render::no_texture : from.texture;
         if (from.border_width_px > 0.0f) to.border_width_px = std::max(from.border_width_px, kThinnestPx);
         to.border_color = {from.border_color[0], from.border_color[1], from.border_color[2]};
     }
     return materials;
+}
+
+render::Wrap wrap_of(FlgTextureWrap wrap) {
+    if (wrap == FLG_TEXTURE_WRAP_CLAMP) return render::Wrap::clamp;
+    return wrap == FLG_TEXTURE_WRAP_MIRROR ? render::Wrap::mirror : render::Wrap::repeat;
+}
+
+std::vector<render::SurfaceTexture> textures_of(const std::vector<FlgTexture>& given, const std::string& subject) {
+    std::vector<render::SurfaceTexture> textures;
+    for (const FlgTexture& from : given) {
+        DecodedPicture picture = decode_picture(from.picture, from.picture_size, subject);
+        render::SurfaceTexture& to = textures.emplace_back();
+        to.image = {picture.width, picture.height, std::move(picture.pixels)};
+        to.wrap_u = wrap_of(from.wrap_u);
+        to.wrap_v = wrap_of(from.wrap_v);
+        to.nearest = from.nearest != 0;
+    }
+    return textures;
 }
 
 bool have_colors(const FlgMeshView& mesh) {
@@ -62,7 +82,8 @@ bool look_alike(const std::vector<render::Material>& materials) {
     return std::all_of(materials.begin(), materials.end(), [&](const render::Material& material) {
         const render::Material& first = materials.front();
         return material.color == first.color && material.metallic == first.metallic &&
-               material.roughness == first.roughness && material.border_width_px == 0.0f;
+               material.roughness == first.roughness && material.texture == first.texture &&
+               material.border_width_px == 0.0f;
     });
 }
 
@@ -94,6 +115,8 @@ render::SurfaceLook look_of(const MeshFile& mesh) {
     } else if (!materials.empty()) {
         look.material = materials[0];
     }
+    look.textures = textures_of(mesh.textures(), mesh.name());
+    if (mesh.info().corner_uvs) look.corner_uvs = {mesh.info().corner_uvs, 6 * size_t{mesh.view().triangle_count}};
     return look;
 }
 
@@ -176,7 +199,9 @@ void RenderScene::upload_skins(render::Renderer& renderer) const {
         } else {
             look.regions = materials;
         }
-        renderer.set_pose(renderer.upload(skin.file.view(), look), options_.pose.skinning, skin.pose.transforms);
+        look.textures = textures_of(skin.file.textures(), skin.file.name());
+        renderer.set_pose(renderer.upload(morphed(skin.file, skin.pose), look), options_.pose.skinning,
+                          skin.pose.transforms);
     }
     if (!options_.bones) return;
     const float size = renderer.bounds().diagonal();

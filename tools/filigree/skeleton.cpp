@@ -9,13 +9,15 @@
 #include "command.h"
 #include "documents/extensions.h"
 #include "documents/failure.h"
+#include "documents/pull_script.h"
 #include "documents/rig_quality.h"
 #include "documents/text_file.h"
-#include "drawn_picture.h"
 #include "filigree/filigree_io.h"
 #include "mesh_model.h"
 #include "mesh_outline_part.h"
+#include "pulled_skin.h"
 #include "rigged_skin.h"
+#include "skin_looks.h"
 
 namespace flg::cli {
 namespace {
@@ -37,6 +39,9 @@ struct Options {
     bool repair = false;
     std::array<float, 3> from = {0, 0, 1};
     RigOptions rig;
+    std::string pull, pulled;  // a script; a mesh
+    std::optional<double> pulled_at;
+    std::optional<PullScript> script;
 };
 
 const std::map<std::string, FlgRigStandard> standards = {
@@ -175,16 +180,43 @@ std::vector<FlgSkinView> make_levels(const Options& options, Session& session, F
 struct Made {
     FlgSkinView skin;
     std::vector<FlgSkinView> levels;
+    SkinLooks looks;
 };
 
-Made make_drawn_skin(const Options& options, Session& session, FlgModel model, Report& report) {
+Made make_drawn_skin(const Options& options, Session& session, FlgModel model, SkinLooks looks, Report& report) {
     const FlgSkin skin = make_skin(options, session, model, report);
     const uint32_t wanted = options.asks_vertices ? options.vertices : 0;
-    return {view_of(session, skin, wanted, options, report), make_levels(options, session, skin, report)};
+    return {view_of(session, skin, wanted, options, report), make_levels(options, session, skin, report),
+            std::move(looks)};
+}
+
+// What a pulled mesh is like at one moment, in the colours of its parts.
+void write_pulled(const Options& options, const FlgSkinView& skin, const SkinLooks& looks, const PulledSkin& pulled) {
+    const std::vector<float> positions = pulled.positions_at(options.pulled_at.value_or(options.script->end()));
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0};
+    std::vector<uint32_t> parts;
+    for (size_t t = 0; t < skin.triangle_count && looks.materials.size() > 1; ++t) {
+        const uint32_t* c = skin.triangles + 3 * t;
+        const uint32_t* const of = skin.vertex_parts;
+        parts.push_back(skin.triangle_parts ? skin.triangle_parts[t] : of[c[1]] == of[c[2]] ? of[c[1]] : of[c[0]]);
+    }
+    FlgMeshView mesh = flgMeshViewDefaults();
+    mesh.vertex_count = skin.vertex_count;
+    mesh.triangle_count = skin.triangle_count;
+    mesh.triangles = skin.triangles;
+    mesh.columns = &column;
+    mesh.column_count = 1;
+    if (!parts.empty()) mesh.regions = parts.data();
+    std::copy(std::begin(skin.origin), std::end(skin.origin), mesh.origin);
+    FlgMeshFileWriteDesc file = flgMeshFileWriteDefaults();
+    file.split_regions = 1;
+    file.materials = looks.materials.data();
+    file.material_count = static_cast<uint32_t>(looks.materials.size());
+    if (flgMeshFileWrite(options.pulled.c_str(), &mesh, &file) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 void write_skin(const Options& options, const std::string& subject, const ModelDrawing& drawing,
-                const FlgModelView& bones, const Made& made, bool is_reported, Report& report) {
+                const FlgModelView& bones, const Made& made, bool is_reported, Session& session, Report& report) {
     const FlgSkinView& view = made.skin;
     report.counts["vertices"] = view.vertex_count;
     report.counts["triangles"] = view.triangle_count;
@@ -196,42 +228,44 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
         report.quality["largest_weight_jump"] = rig.largest_jump;
     }
     const RiggedSkin rigged(options.rig, view, bones, drawing, subject);
+    std::vector<FlgSkinAnimation> animations = rigged.animations();
+    std::optional<PulledSkin> pulled;
+    if (options.script) pulled.emplace(session, *options.script, rigged.skin(), animations, report);
+    if (!options.pulled.empty()) write_pulled(options, rigged.skin(), made.looks, *pulled);
+    if (options.output.empty()) return;
     RigOptions at_rest = options.rig;
     at_rest.motions.clear();
     std::deque<RiggedSkin> rigged_levels;
     std::vector<FlgSkinView> level_views;
     for (const FlgSkinView& level : made.levels)
         level_views.push_back(rigged_levels.emplace_back(at_rest, level, bones, drawing, subject).skin());
-    const std::vector<FlgSkinAnimation> animations = rigged.animations();
     FlgVrm vrm = flgVrmDefaults();
     std::vector<const char*> authors;
     for (const std::string& author : options.rig.authors) authors.push_back(author.c_str());
     vrm.authors = authors.data();
     vrm.author_count = static_cast<uint32_t>(authors.size());
     vrm.bones = rigged.bones().data();
-    std::vector<uint8_t> texture;
-    if (!options.picture.file.empty()) texture = bled_picture(options.picture, drawing);
-    std::vector<FlgMeshMaterial> materials;
-    for (uint32_t p = 0; p < bones.part_count && drawing.has_colors; ++p) {
-        const DrawnPart& part = drawing.parts[bones.part_sources[p]];
-        materials.push_back(part.material);
-        materials.back().name = part.name.c_str();
-        // The picture says the colours.
-        if (!texture.empty()) std::fill_n(materials.back().color, 3, 1.0f);
-    }
     FlgSkinFileWriteDesc file = {};
     flgSkinFileWriteDescInit(&file, sizeof file);
+    made.looks.describe(file);
+    std::vector<FlgMorphTarget> targets;
+    FlgMorphAnimation shapes;
+    if (pulled) {
+        targets = pulled->targets();
+        shapes = pulled->animation(static_cast<uint32_t>(animations.size()));
+        if (pulled->bones()) animations.push_back(*pulled->bones());
+        file.morphs = targets.data();
+        file.morph_count = static_cast<uint32_t>(targets.size());
+        file.morph_animations = &shapes;
+        file.morph_animation_count = 1;
+    }
     file.skin = &rigged.skin();
     file.animations = animations.data();
     file.animation_count = static_cast<uint32_t>(animations.size());
     file.rig = rigged.rig();
     if (!authors.empty()) file.vrm = &vrm;
-    file.materials = materials.data();
-    file.material_count = static_cast<uint32_t>(materials.size());
     file.levels = level_views.data();
     file.level_count = static_cast<uint32_t>(level_views.size());
-    if (!texture.empty()) file.texture = texture.data();
-    file.texture_size = texture.size();
     if (flgSkinFileWrite(options.output.c_str(), &file) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
@@ -248,7 +282,14 @@ void write_bones(const Options& options, const std::string& subject, const Model
 void run_skeleton(Options options, const CommonOptions& common) {
     const bool is_vrm = options.rig.standard == FLG_RIG_STANDARD_VRM;
     if (!options.rig.authors.empty() && !is_vrm) throw UsageError("--author: is asked for by --rig vrm alone");
-    if (options.output.empty() && options.bones.empty()) throw UsageError("skeleton needs -o or --bones");
+    if (options.output.empty() && options.bones.empty() && options.pulled.empty())
+        throw UsageError("skeleton needs -o, --bones or --pulled");
+    if (options.pull.empty() && !options.pulled.empty()) throw UsageError("--pulled: needs --pull");
+    if (options.pulled.empty() && options.pulled_at) throw UsageError("--pulled-at: needs --pulled");
+    if (!options.pulled.empty() && !ends_with_one_of(options.pulled, {".ply", ".obj", ".off", ".glb"}))
+        throw UsageError("--pulled: " + options.pulled + " must end with .ply, .obj, .off or .glb");
+    if (!options.pull.empty() && !options.levels.empty())
+        throw UsageError("--lod: levels of detail are not pulled; not together with --pull");
     if (options.mesh.empty() == options.contours.empty())
         throw UsageError("skeleton needs contours, or a mesh by --mesh, and not both");
     if (!options.output.empty() && !ends_with_one_of(options.output, {".glb"}))
@@ -261,10 +302,13 @@ void run_skeleton(Options options, const CommonOptions& common) {
         throw UsageError("--texture-box: must be LEFT,BOTTOM,RIGHT,TOP");
     require_writable(options.output);
     require_writable(options.bones);
+    require_writable(options.pulled);
     require_writable(common.report);
     Report report("skeleton", common);
     Session session(common);
     const bool is_reported = !common.report.empty();
+    const bool has_skin = !options.output.empty() || !options.pulled.empty();
+    if (!options.pull.empty()) options.script = read_pull_script(options.pull);
     if (!options.mesh.empty()) {
         if (!options.levels.empty() || options.sharp_degrees > 0 || !options.picture.file.empty())
             throw UsageError("--lod, --sharp, --texture: are of drawn models; --mesh keeps the mesh as it is");
@@ -273,8 +317,9 @@ void run_skeleton(Options options, const CommonOptions& common) {
         set_thresholds(options, thresholds);
         const MeshModel model(session, options.mesh, thresholds, report);
         write_bones(options, options.mesh, model.drawing(), model.bones(), report);
-        if (!options.output.empty())
-            write_skin(options, options.mesh, model.drawing(), model.bones(), {model.skin(), {}}, is_reported, report);
+        if (has_skin)
+            write_skin(options, options.mesh, model.drawing(), model.bones(), {model.skin(), {}, model.looks()},
+                       is_reported, session, report);
     } else {
         const std::string& subject = options.contours[0];
         ModelDrawing drawing = read_drawing(options, session, report);
@@ -286,9 +331,10 @@ void run_skeleton(Options options, const CommonOptions& common) {
         FlgModelView view = flgModelViewDefaults();
         check(flgModelGetView(session.context(), model, &view), subject);
         write_bones(options, subject, drawing, view, report);
-        if (!options.output.empty())
-            write_skin(options, subject, drawing, view, make_drawn_skin(options, session, model, report), is_reported,
-                       report);
+        if (has_skin)
+            write_skin(options, subject, drawing, view,
+                       make_drawn_skin(options, session, model, looks_of(options.picture, drawing, view), report),
+                       is_reported, session, report);
     }
     report.write();
 }
@@ -303,8 +349,9 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
                         "meshes, taken by their silhouettes; or one drawing (.json)");
     command
         ->add_option("--mesh", options->mesh,
-                     "Instead of contours a mesh: it gets bones and weights, and keeps its vertices. Of its columns "
-                     "positions and normals are written")
+                     "Instead of contours a mesh: it gets bones and weights, and keeps its vertices, triangles, "
+                     "normals, colours, texture coordinates, materials and base colour textures. Warnings name what "
+                     "is not kept")
         ->type_name("MESH");
     command->add_option("-o,--output", options->output, "The model: surface, joints, weights and a test animation")
         ->type_name("MODEL.glb");
@@ -382,6 +429,13 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     command->add_option("--apart", options->apart, "Two parts that are not welded where they touch. Once a pair")
         ->type_name("PART,PART")
         ->allow_extra_args(false);
+    command
+        ->add_option("--pull", options->pull,
+                     "Pulls the surface at points over time, as rigidly as possible: keys of handles, and pins. "
+                     "Becomes morph targets with an animation of their weights")
+        ->type_name("SCRIPT.json");
+    command->add_option("--pulled", options->pulled, "The pulled surface by itself, as it is at")->type_name("MESH");
+    command->add_option("--pulled-at", options->pulled_at, "seconds; default: the script's end")->type_name("T");
     return {command, [options, &common, command] {
                 options->asks_vertices = command->count("--vertices") > 0;
                 run_skeleton(*options, common);

@@ -23,6 +23,10 @@ public:
     std::vector<FlgSkinAnimation> animations() const;
     // One a part, or one for all; empty where the file says no colour.
     std::vector<FlgMeshMaterial> materials() const;
+    // What materials refer to.
+    std::vector<FlgTexture> textures() const;
+    std::vector<FlgMorphTarget> morphs() const;
+    std::vector<FlgMorphAnimation> morph_animations() const;
 
 private:
     explicit SkinFile(const std::string& name) : name_(name) {}
@@ -41,6 +45,7 @@ struct PoseOptions {
 };
 
 struct SkinPose {
+    std::vector<float> rest, normals;    // 3 a vertex: where morph targets move them before joints; empty: as they are
     std::vector<float> transforms;       // as the skinning takes them
     std::vector<float> positions;        // 3 a vertex
     std::vector<float> joint_positions;  // 3 a joint
@@ -48,5 +53,8 @@ struct SkinPose {
 
 // Throws InputError where there is no such animation.
 SkinPose pose_skin(const SkinFile& skin, const PoseOptions& options);
+
+// The skin as morph targets have it. Lives as long as both.
+FlgSkinView morphed(const SkinFile& skin, const SkinPose& pose);
 
 }  // namespace flg::cli

@@ -2,15 +2,31 @@
 // Appearance of a surface. Colours are linear RGB, 0 to 1.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
+
+#include "filigree_renderer/image.h"
 
 namespace flg::render {
 
+// How a texture goes on beyond its picture: from its other side, by its edge, mirrored.
+enum class Wrap { repeat, clamp, mirror };
+
+struct SurfaceTexture {
+    Image image;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    bool nearest = false;  // near by, texels are not blended
+};
+
+constexpr uint32_t no_texture = 0xffffffffu;
+
 struct Material {
     glm::vec3 color{0.42f, 0.36f, 0.31f};
-    float metallic = 0.0f;   // 0 = paint, clay, wood to 1 = bare metal
-    float roughness = 0.5f;  // 0 = polished to 1 = matte
+    uint32_t texture = no_texture;  // of the look's: its colour, times this one
+    float metallic = 0.0f;          // 0 = paint, clay, wood to 1 = bare metal
+    float roughness = 0.5f;         // 0 = polished to 1 = matte
     // Lines between regions of this label and those of lower labels, in place of the look's: 0.5 to 64 pixels; 0 = the
     // look's lines.
     float border_width_px = 0.0f;
@@ -23,6 +39,11 @@ struct SurfaceLook {
     Material material{};
     // By label: triangles with label i use regions[i % regions.size()]. Empty: labels are not shown.
     std::vector<Material> regions{};
+    // What materials refer to. Seen where there are texture coordinates: a skin's own, else `corner_uvs`, 6 numbers a
+    // triangle: 0 0 is a picture's upper left, 1 1 its lower right. They are read while the surface is uploaded;
+    // coarser levels of pictures are made then.
+    std::vector<SurfaceTexture> textures{};
+    std::span<const float> corner_uvs{};
 
     // Whether the colour shows the field's values by field_color(); infinite values are grey.
     bool show_field = true;

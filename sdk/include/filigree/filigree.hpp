@@ -433,6 +433,9 @@ using FileAccess = FlgFileAccess;
 /// Geometry of curves in .glb.
 using CurveGeometry = FlgCurveGeometry;
 
+/// How a texture goes on beyond its picture.
+using TextureWrap = FlgTextureWrap;
+
 /// Manifolds that need no data.
 using ManifoldShape = FlgManifoldShape;
 
@@ -1449,12 +1452,17 @@ struct MeshFileInfo {
     float box_max[3]{};
     /// FlgMeshFileInfo::warning_count.
     uint32_t warning_count{};
-    /// one per region of the view (one alone if that has no regions), if at least one has a colour; else 0
+    /// one per region of the view (one alone if that has no regions), if at least one has a colour or a texture; else 0
     uint32_t material_count{};
     /// sentences; live until the file is released
     Span<const char* const> warnings;
     /// at most 16; 0 for other formats than .ply
     uint32_t face_column_count{};
+    /// FlgMeshFileInfo::texture_count.
+    uint32_t texture_count{};
+    /// 6 per triangle: texture coordinates of its corners, 0 0 where some have none; live until the file is released.
+    /// Null: the file has none
+    Span<const float> corner_uvs;
 
     /// Empty.
     MeshFileInfo() { flgMeshFileInfoInit(&c_, detail::size_of<FlgMeshFileInfo>); }
@@ -1470,7 +1478,9 @@ struct MeshFileInfo {
         warning_count = c.warning_count;
         material_count = c.material_count;
         face_column_count = c.face_column_count;
+        texture_count = c.texture_count;
         warnings = detail::span(c.warnings, warning_count);
+        corner_uvs = detail::span(c.corner_uvs, std::size_t{6} * triangle_count);
     }
     /// The C struct, for C functions.
     const FlgMeshFileInfo& get() const noexcept { return c_; }
@@ -1495,8 +1505,16 @@ struct SkinFileInfo {
     uint32_t animation_count{};
     /// sentences; live until the file is released
     Span<const char* const> warnings;
-    /// one per part, or one for all, if at least one has a colour; else 0
+    /// one per part, or one for all, if at least one has a colour or a texture; else 0
     uint32_t material_count{};
+    /// FlgSkinFileInfo::texture_count.
+    uint32_t texture_count{};
+    /// 4 per vertex, linear RGBA; live until the file is released. Null: none
+    const float* vertex_colors{};
+    /// FlgSkinFileInfo::morph_count.
+    uint32_t morph_count{};
+    /// FlgSkinFileInfo::morph_animation_count.
+    uint32_t morph_animation_count{};
 
     /// Empty.
     SkinFileInfo() { flgSkinFileInfoInit(&c_, detail::size_of<FlgSkinFileInfo>); }
@@ -1508,6 +1526,10 @@ struct SkinFileInfo {
         warning_count = c.warning_count;
         animation_count = c.animation_count;
         material_count = c.material_count;
+        texture_count = c.texture_count;
+        vertex_colors = c.vertex_colors;
+        morph_count = c.morph_count;
+        morph_animation_count = c.morph_animation_count;
         warnings = detail::span(c.warnings, warning_count);
     }
     /// The C struct, for C functions.
@@ -2614,6 +2636,15 @@ struct MeshFaceColumn : FlgMeshFaceColumn {
     MeshFaceColumn(const FlgMeshFaceColumn& c) : FlgMeshFaceColumn(c) {}
 };
 
+/// A picture that colours triangles, by the texture coordinates of their corners: 0 0 is its upper left, 1 1 its lower
+/// right.
+struct Texture : FlgTexture {
+    /// The defaults.
+    Texture() { flgTextureInit(this, detail::size_of<FlgTexture>); }
+    /// Of the C struct.
+    Texture(const FlgTexture& c) : FlgTexture(c) {}
+};
+
 /// A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are linear
 /// RGB.
 struct MeshMaterial : FlgMeshMaterial {
@@ -2653,6 +2684,24 @@ struct SkinFileReadDesc : FlgSkinFileReadDesc {
     SkinFileReadDesc(const FlgSkinFileReadDesc& c) : FlgSkinFileReadDesc(c) {}
 };
 
+/// A shape that a mesh takes as far as its weight says: vertices move by `moves`, times the weight, before joints move
+/// them.
+struct MorphTarget : FlgMorphTarget {
+    /// The defaults.
+    MorphTarget() { flgMorphTargetInit(this, detail::size_of<FlgMorphTarget>); }
+    /// Of the C struct.
+    MorphTarget(const FlgMorphTarget& c) : FlgMorphTarget(c) {}
+};
+
+/// Weights of all morph targets over time. Between keys they change evenly; before the first and after the last key
+/// they hold.
+struct MorphAnimation : FlgMorphAnimation {
+    /// The defaults.
+    MorphAnimation() { flgMorphAnimationInit(this, detail::size_of<FlgMorphAnimation>); }
+    /// Of the C struct.
+    MorphAnimation(const FlgMorphAnimation& c) : FlgMorphAnimation(c) {}
+};
+
 /// The extension VRMC_vrm of VRM 1.0: who made an avatar, and which of its joints are which bones. Its other fields are
 /// left at the extension's defaults: only the author may use the avatar, and nobody may change it.
 struct Vrm : FlgVrm {
@@ -2687,6 +2736,34 @@ struct SkinFileWriteDesc : FlgSkinFileWriteDesc {
     }
     /// A list would end before the descriptor is used.
     void set_materials(std::initializer_list<FlgMeshMaterial>) = delete;
+    /// Sets texture and texture_count. The array must live until the descriptor is used.
+    void set_texture(Span<const uint8_t> values) {
+        texture = values.data();
+        texture_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_texture(std::initializer_list<uint8_t>) = delete;
+    /// Sets textures and texture_count. The array must live until the descriptor is used.
+    void set_textures(Span<const FlgTexture> values) {
+        textures = values.data();
+        texture_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_textures(std::initializer_list<FlgTexture>) = delete;
+    /// Sets morphs and morph_count. The array must live until the descriptor is used.
+    void set_morphs(Span<const FlgMorphTarget> values) {
+        morphs = values.data();
+        morph_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_morphs(std::initializer_list<FlgMorphTarget>) = delete;
+    /// Sets morph_animations and morph_animation_count. The array must live until the descriptor is used.
+    void set_morph_animations(Span<const FlgMorphAnimation> values) {
+        morph_animations = values.data();
+        morph_animation_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_morph_animations(std::initializer_list<FlgMorphAnimation>) = delete;
 };
 
 /// FlgMotionFileWriteDesc with its defaults.
@@ -3067,6 +3144,21 @@ struct PulledDesc : FlgPulledDesc {
     }
     /// A list would end before the descriptor is used.
     void set_handles(std::initializer_list<FlgPullHandle>) = delete;
+};
+
+/// Positions of handles over time: a record of what somebody dragged, or keyframes.
+struct PullKeys : FlgPullKeys {
+    /// The defaults.
+    PullKeys() { flgPullKeysInit(this, detail::size_of<FlgPullKeys>); }
+    /// Of the C struct.
+    PullKeys(const FlgPullKeys& c) : FlgPullKeys(c) {}
+    /// Sets offsets and handle_count. The array must live until the descriptor is used.
+    void set_offsets(Span<const uint32_t> values) {
+        offsets = values.data();
+        handle_count = detail::count(values.empty() ? 0 : values.size() - 1);
+    }
+    /// A list would end before the descriptor is used.
+    void set_offsets(std::initializer_list<uint32_t>) = delete;
 };
 
 /// What to draw, and how.
@@ -4190,15 +4282,25 @@ public:
         return detail::made<flgIoErrorGetMessage>(result, MeshFaceColumn(out_column));
     }
 
-    /// The material of a region in a .gltf or .glb file, 0 to the info's material_count - 1. Missing factors get glTF's
-    /// defaults: white, metallic 1, roughness 1. Lines are read only from this library's files: glTF has none. Its name
-    /// lives until the file is released.
+    /// The material of a region in a .gltf or .glb file, or of one in an .obj file's `mtllib`, 0 to the info's
+    /// material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files metallic
+    /// 0. Lines are read only from this library's files: glTF has none. Its name lives until the file is released.
     /// Calls flgMeshFileGetMaterial.
     Result<MeshMaterial> material(uint32_t material) const {
         FlgMeshMaterial out_material;
         flgMeshMaterialInit(&out_material, detail::size_of<FlgMeshMaterial>);
         const FlgResult result = flgMeshFileGetMaterial(handle_, material, &out_material);
         return detail::made<flgIoErrorGetMessage>(result, MeshMaterial(out_material));
+    }
+
+    /// A texture of a material, 0 to the info's texture_count - 1. Its picture is not decoded; it lives until the file
+    /// is released.
+    /// Calls flgMeshFileGetTexture.
+    Result<Texture> texture(uint32_t texture) const {
+        FlgTexture out_texture;
+        flgTextureInit(&out_texture, detail::size_of<FlgTexture>);
+        const FlgResult result = flgMeshFileGetTexture(handle_, texture, &out_texture);
+        return detail::made<flgIoErrorGetMessage>(result, Texture(out_texture));
     }
 
     /// The file's contents and warnings. Set struct_size.
@@ -4234,11 +4336,13 @@ public:
     /// before. The keys of all channels of an animation are merged. Joints come parents first; joints below other nodes
     /// attach to the nearest joint above. Weights are sorted and normalized to sum 1; only the first four joints of a
     /// vertex are read. Missing normals are computed. Parts come from the column _PART, else from the materials.
-    /// Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an animation moves away from
-    /// their parents, roots that move differently, keys that are not LINEAR. Also refused: missing, out-of-range or
-    /// non-finite joints or weights, cycles of nodes, inconsistent counts. If the scene has no skin the result is
-    /// FLG_OK and `out_file` null. `desc` may be null: all defaults. Cost: one core, about 0.4 us a vertex. Errors:
-    /// FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and for the result; 65535 joints).
+    /// TEXCOORD_0 becomes the view's corner_uvs. Morph targets are read if all primitives have as many; their
+    /// animations must be LINEAR. Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an
+    /// animation moves away from their parents, roots that move differently, keys that are not LINEAR. Also refused:
+    /// missing, out-of-range or non-finite joints or weights, cycles of nodes, inconsistent counts. If the scene has no
+    /// skin the result is FLG_OK and `out_file` null. `desc` may be null: all defaults. Cost: one core, about 0.4 us a
+    /// vertex. Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and for the result; 65535
+    /// joints).
     /// Calls flgSkinFileRead.
     static Result<SkinFile> read(const char* path, const SkinFileReadDesc& desc = SkinFileReadDesc()) {
         FlgSkinFile out_file{};
@@ -4274,6 +4378,35 @@ public:
         return detail::made<flgIoErrorGetMessage>(result, MeshMaterial(out_material));
     }
 
+    /// A texture of a material, 0 to the info's texture_count - 1. As flgMeshFileGetTexture.
+    /// Calls flgSkinFileGetTexture.
+    Result<Texture> texture(uint32_t texture) const {
+        FlgTexture out_texture;
+        flgTextureInit(&out_texture, detail::size_of<FlgTexture>);
+        const FlgResult result = flgSkinFileGetTexture(handle_, texture, &out_texture);
+        return detail::made<flgIoErrorGetMessage>(result, Texture(out_texture));
+    }
+
+    /// A morph target, 0 to the info's morph_count - 1. Its arrays live until the file is released; `normal_moves` are
+    /// 0 where the file has none.
+    /// Calls flgSkinFileGetMorphTarget.
+    Result<MorphTarget> morph_target(uint32_t target) const {
+        FlgMorphTarget out_target;
+        flgMorphTargetInit(&out_target, detail::size_of<FlgMorphTarget>);
+        const FlgResult result = flgSkinFileGetMorphTarget(handle_, target, &out_target);
+        return detail::made<flgIoErrorGetMessage>(result, MorphTarget(out_target));
+    }
+
+    /// What animates morph targets, 0 to the info's morph_animation_count - 1. Its arrays live until the file is
+    /// released.
+    /// Calls flgSkinFileGetMorphAnimation.
+    Result<MorphAnimation> morph_animation(uint32_t animation) const {
+        FlgMorphAnimation out_animation;
+        flgMorphAnimationInit(&out_animation, detail::size_of<FlgMorphAnimation>);
+        const FlgResult result = flgSkinFileGetMorphAnimation(handle_, animation, &out_animation);
+        return detail::made<flgIoErrorGetMessage>(result, MorphAnimation(out_animation));
+    }
+
     /// The file's contents and warnings. Set struct_size.
     /// Calls flgSkinFileGetInfo.
     Result<SkinFileInfo> info() const {
@@ -4285,14 +4418,15 @@ public:
 
     /// Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the mesh,
     /// a node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have POSITION,
-    /// NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART and, with corner_uvs, TEXCOORD_0; vertices whose corners
-    /// differ in them are there several times. Levels of detail are meshes of the same skin, named NAME_LOD0,
-    /// NAME_LOD1, ...; the first is in the scene and refers to the others by MSFT_lod, so programs that do not know it
-    /// show the finest alone. Rotations that stay at identity are omitted. Refuses what glTF forbids: joints out of
-    /// range or twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are not of length 1
-    /// within 0.001, times that do not rise, values that are not finite, parents that do not come first. Cost: about
-    /// 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
-    /// FLG_ERROR_LIMIT (2 GiB).
+    /// NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART, with corner_uvs TEXCOORD_0, with vertex_colors COLOR_0.
+    /// They keep their order; of those whose corners differ in texture coordinates, copies follow after all. Morph
+    /// targets have POSITION and NORMAL, sparse where few vertices move; their weights are animated at the mesh's node.
+    /// Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1, ...; the first is in the scene and
+    /// refers to the others by MSFT_lod, so programs that do not know it show the finest alone. Rotations that stay at
+    /// identity are omitted. Refuses what glTF forbids: joints out of range or twice at a vertex, weights that do not
+    /// sum to 1 within 0.0001, quaternions that are not of length 1 within 0.001, times that do not rise, values that
+    /// are not finite, parents that do not come first. Cost: about 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT,
+    /// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB).
     /// Calls flgSkinFileWrite.
     static Result<bool> write(const char* path, const SkinFileWriteDesc& desc) {
         const FlgResult result = flgSkinFileWrite(path, &desc);
@@ -5257,6 +5391,17 @@ inline const char* formula_name(uint32_t number) {
 /// Calls flgPickErrorGetMessage.
 inline const char* pick_error_message() {
     return flgPickErrorGetMessage();
+}
+
+/// [any thread] Where handles are at a time, for FlgPullHandle::position: at their keys exactly, smooth in between
+/// (velocities are continuous), at rest where two keys are at one place; before the first key and after the last
+/// where these are. `out_positions`: 3 per handle, metres. The same for the same keys, so a record can be played
+/// again, at any rate: the mesh too is the same if its frames are at the same times. Cost: 0.1 us a handle, and
+/// checking all keys.
+/// Calls flgPullKeysSample.
+inline Result<bool> pull_keys_sample(const PullKeys& keys, double time, float* out_positions) {
+    const FlgResult result = flgPullKeysSample(&keys, time, out_positions);
+    return detail::done(result);
 }
 
 #ifdef FILIGREE_NO_EXCEPTIONS

@@ -29,13 +29,15 @@
  *   .ply          reads ascii and binary, writes little-endian binary. Vertices: positions, colours (0 to 1 if they are
  *                 integers), normals and the columns this library writes, by the names below. Faces: the list
  *                 vertex_indices, and integer properties, of which `region` becomes the view's regions; or `tristrips`.
- *                 Other elements and properties are skipped
+ *                 Other elements and properties are skipped, texture coordinates with a warning
  *   .obj          faces (`f`) and positions with colours (`v x y z r g b`). Regions are materials (`usemtl`), numbered
- *                 from 0 in order of first use, and written as such. Texture coordinates and normals are skipped
+ *                 from 0 in order of first use, and written as such. Texture coordinates (`vt`) are read, and materials
+ *                 of `mtllib` files below the file's folder: Kd, map_Kd, Pr, Pm. Normals are skipped
  *   .off          also COFF, NOFF and CNOFF; colours (0 to 255 if one is above 1) but no regions
  *   .gltf .glb    TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN with COLOR_0, placed by the scene's nodes; regions are
- *                 materials, numbered from 0 in order of first use; their factors are read, textures skipped. Reads
- *                 KHR_mesh_quantization. Writes .glb. Limits as for curves
+ *                 materials, numbered from 0 in order of first use; their factors are read, and their base colour
+ *                 textures with TEXCOORD_0. Reads KHR_mesh_quantization and KHR_texture_transform. What is left out is
+ *                 named in warnings. Writes .glb. Limits as for curves
  * Large worlds: .obj, .off, .xyz and .ply (doubles and text) are read to all their digits, .gltf and .glb as precisely
  * as their nodes place them. Where most edges are shorter than 64 times the spacing of floats there, views get an
  * origin: the middle of all, or the first node's place, in whole metres. Boxes in infos are relative to it. Views with
@@ -245,6 +247,28 @@ FLG_API FlgResult flgMeshFaceColumnInit(FlgMeshFaceColumn* column, uint32_t stru
  * a face have its values; negative values are stored plus 2^32. Its arrays live until the file is released. */
 FLG_API FlgResult flgMeshFileGetFaceColumn(FlgMeshFile file, uint32_t column, FlgMeshFaceColumn* out_column);
 
+/* How a texture goes on beyond its picture. */
+typedef enum FlgTextureWrap {
+    FLG_TEXTURE_WRAP_REPEAT = 0,
+    FLG_TEXTURE_WRAP_CLAMP = 1,  /* by its edge */
+    FLG_TEXTURE_WRAP_MIRROR = 2, /* repeated, every other one mirrored */
+    FLG_TEXTURE_WRAP_FORCE_32BIT = 0x7fffffff
+} FlgTextureWrap;
+
+/* A picture that colours triangles, by the texture coordinates of their corners: 0 0 is its upper left, 1 1 its lower
+ * right. */
+typedef struct FlgTexture {
+    uint32_t struct_size;   /* the same of all textures of a file */
+    uint32_t nearest;       /* nonzero: texels are not blended. Default 0 */
+    FlgTextureWrap wrap_u;  /* Default FLG_TEXTURE_WRAP_REPEAT */
+    FlgTextureWrap wrap_v;
+    const uint8_t* picture; /* a PNG or JPEG file, picture_size bytes; sRGB */
+    uint64_t picture_size;
+    const char* name;       /* UTF-8, at most 255 bytes; null: none. Default null */
+} FlgTexture;
+
+FLG_API FlgResult flgTextureInit(FlgTexture* texture, uint32_t struct_size);
+
 /* A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are linear
  * RGB. */
 typedef struct FlgMeshMaterial {
@@ -257,14 +281,20 @@ typedef struct FlgMeshMaterial {
     float border_color[3];  /* of the lines to regions earlier in the table, 0 to 1 each. Default 0 0 0 */
     float border_width_px;  /* of these lines, 0 to 64 pixels. Default 0: none */
     uint32_t reserved2;
+    uint32_t texture;       /* of the file's textures: its colour, times the material's. Default FLG_NO_INDEX: none */
+    uint32_t two_sided;     /* nonzero: seen from behind too. Default 0 */
 } FlgMeshMaterial;
 
 FLG_API FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint32_t struct_size);
 
-/* The material of a region in a .gltf or .glb file, 0 to the info's material_count - 1. Missing factors get glTF's
- * defaults: white, metallic 1, roughness 1. Lines are read only from this library's files: glTF has none. Its name
- * lives until the file is released. */
+/* The material of a region in a .gltf or .glb file, or of one in an .obj file's `mtllib`, 0 to the info's
+ * material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files metallic 0.
+ * Lines are read only from this library's files: glTF has none. Its name lives until the file is released. */
 FLG_API FlgResult flgMeshFileGetMaterial(FlgMeshFile file, uint32_t material, FlgMeshMaterial* out_material);
+
+/* A texture of a material, 0 to the info's texture_count - 1. Its picture is not decoded; it lives until the file is
+ * released. */
+FLG_API FlgResult flgMeshFileGetTexture(FlgMeshFile file, uint32_t texture, FlgTexture* out_texture);
 
 typedef struct FlgMeshFileInfo {
     uint32_t struct_size;
@@ -276,10 +306,12 @@ typedef struct FlgMeshFileInfo {
     float box_min[3], box_max[3]; /* of the positions, metres; units are taken as given */
     uint32_t warning_count;
     uint32_t material_count;      /* one per region of the view (one alone if that has no regions), if at least one has
-                                     a colour; else 0 */
+                                     a colour or a texture; else 0 */
     const char* const* warnings;  /* sentences; live until the file is released */
     uint32_t face_column_count;   /* at most 16; 0 for other formats than .ply */
-    uint32_t reserved;
+    uint32_t texture_count;
+    const float* corner_uvs;      /* 6 per triangle: texture coordinates of its corners, 0 0 where some have none; live
+                                     until the file is released. Null: the file has none */
 } FlgMeshFileInfo;
 
 FLG_API FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint32_t struct_size);
@@ -329,7 +361,8 @@ FLG_API FlgResult flgSkinFileReadDescInit(FlgSkinFileReadDesc* desc, uint32_t st
  * that pose are read without the rotation; animation rotations change so that each vertex moves as before. The keys of
  * all channels of an animation are merged. Joints come parents first; joints below other nodes attach to the nearest
  * joint above. Weights are sorted and normalized to sum 1; only the first four joints of a vertex are read. Missing
- * normals are computed. Parts come from the column _PART, else from the materials.
+ * normals are computed. Parts come from the column _PART, else from the materials. TEXCOORD_0 becomes the view's
+ * corner_uvs. Morph targets are read if all primitives have as many; their animations must be LINEAR.
  * Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an animation moves away from their
  * parents, roots that move differently, keys that are not LINEAR. Also refused: missing, out-of-range or non-finite
  * joints or weights, cycles of nodes, inconsistent counts.
@@ -348,6 +381,46 @@ FLG_API FlgResult flgSkinFileGetAnimation(FlgSkinFile file, uint32_t animation, 
 /* The material of a part, 0 to the info's material_count - 1. As flgMeshFileGetMaterial. */
 FLG_API FlgResult flgSkinFileGetMaterial(FlgSkinFile file, uint32_t material, FlgMeshMaterial* out_material);
 
+/* A texture of a material, 0 to the info's texture_count - 1. As flgMeshFileGetTexture. */
+FLG_API FlgResult flgSkinFileGetTexture(FlgSkinFile file, uint32_t texture, FlgTexture* out_texture);
+
+/* A shape that a mesh takes as far as its weight says: vertices move by `moves`, times the weight, before joints move
+ * them. */
+typedef struct FlgMorphTarget {
+    uint32_t struct_size;      /* the same of all targets of a mesh */
+    uint32_t reserved;
+    const char* name;          /* UTF-8, at most 255 bytes; null: `target N`. Default null */
+    const float* moves;        /* 3 per vertex, metres */
+    const float* normal_moves; /* 3 per vertex: what is added to normals. Null: found from how triangles turn. Default
+                                  null */
+} FlgMorphTarget;
+
+FLG_API FlgResult flgMorphTargetInit(FlgMorphTarget* target, uint32_t struct_size);
+
+/* Weights of all morph targets over time. Between keys they change evenly; before the first and after the last key they
+ * hold. */
+typedef struct FlgMorphAnimation {
+    uint32_t struct_size;  /* the same of all of a mesh */
+    uint32_t key_count;    /* at least 1 */
+    const char* name;      /* UTF-8; null: "morph". Of one that belongs to a skin's animation that one's name counts */
+    const float* times;    /* seconds, starting at 0 or later; strictly ascending */
+    const float* weights;  /* for each key one per target; finite */
+    uint32_t animation;    /* of the skin's animations: joints and shapes move together, as one animation. Default
+                              FLG_NO_INDEX: by itself */
+    uint32_t reserved;
+} FlgMorphAnimation;
+
+FLG_API FlgResult flgMorphAnimationInit(FlgMorphAnimation* animation, uint32_t struct_size);
+
+/* A morph target, 0 to the info's morph_count - 1. Its arrays live until the file is released; `normal_moves` are 0
+ * where the file has none. */
+FLG_API FlgResult flgSkinFileGetMorphTarget(FlgSkinFile file, uint32_t target, FlgMorphTarget* out_target);
+
+/* What animates morph targets, 0 to the info's morph_animation_count - 1. Its arrays live until the file is released.
+ */
+FLG_API FlgResult flgSkinFileGetMorphAnimation(FlgSkinFile file, uint32_t animation,
+                                               FlgMorphAnimation* out_animation);
+
 typedef struct FlgSkinFileInfo {
     uint32_t struct_size;
     uint32_t part_count;          /* the view's highest part index plus one */
@@ -355,8 +428,11 @@ typedef struct FlgSkinFileInfo {
     uint32_t warning_count;
     uint32_t animation_count;
     const char* const* warnings;  /* sentences; live until the file is released */
-    uint32_t material_count;      /* one per part, or one for all, if at least one has a colour; else 0 */
-    uint32_t reserved;
+    uint32_t material_count;      /* one per part, or one for all, if at least one has a colour or a texture; else 0 */
+    uint32_t texture_count;
+    const float* vertex_colors;   /* 4 per vertex, linear RGBA; live until the file is released. Null: none */
+    uint32_t morph_count;
+    uint32_t morph_animation_count;
 } FlgSkinFileInfo;
 
 FLG_API FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint32_t struct_size);
@@ -403,17 +479,26 @@ typedef struct FlgSkinFileWriteDesc {
     const FlgSkinView* levels; /* levels of detail after the skin itself, from fine to coarse, with its joints:
                                   flgSkinSimplify. Default null */
     uint32_t level_count;      /* up to 16. Default 0 */
-    uint32_t reserved2;
+    uint32_t texture_count;    /* default 0 */
+    const FlgTexture* textures;  /* what materials refer to, in place of `texture`; the skin and its levels need
+                                    corner_uvs. Default null */
+    const float* vertex_colors;  /* 4 per vertex of the skin, linear RGBA, 0 to 1: times the materials' colour. Levels
+                                    of detail have none. Default null */
+    const FlgMorphTarget* morphs; /* shapes of the skin; levels of detail have none. Default null */
+    const FlgMorphAnimation* morph_animations; /* default null */
+    uint32_t morph_count;           /* up to 65535. Default 0 */
+    uint32_t morph_animation_count; /* default 0 */
 } FlgSkinFileWriteDesc;
 
 FLG_API FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size);
 
 /* Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the mesh, a
  * node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have POSITION, NORMAL,
- * JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART and, with corner_uvs, TEXCOORD_0; vertices whose corners differ in them
- * are there several times. Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1, ...; the first is
- * in the scene and refers to the others by MSFT_lod, so programs that do not know it show the finest alone. Rotations
- * that stay at identity are omitted. Refuses what glTF
+ * JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART, with corner_uvs TEXCOORD_0, with vertex_colors COLOR_0. They keep their
+ * order; of those whose corners differ in texture coordinates, copies follow after all. Morph targets have POSITION and
+ * NORMAL, sparse where few vertices move; their weights are animated at the mesh's node. Levels of detail are meshes of
+ * the same skin, named NAME_LOD0, NAME_LOD1, ...; the first is in the scene and refers to the others by MSFT_lod, so
+ * programs that do not know it show the finest alone. Rotations that stay at identity are omitted. Refuses what glTF
  * forbids: joints out of range or twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are
  * not of length 1 within 0.001, times that do not rise, values that are not finite, parents that do not come first.
  * Cost: about 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension,
@@ -556,6 +641,24 @@ static inline FlgMeshFaceColumn flgMeshFaceColumnDefaults(void) {
     FlgMeshFaceColumn column;
     flgMeshFaceColumnInit(&column, (uint32_t)sizeof column);
     return column;
+}
+
+static inline FlgTexture flgTextureDefaults(void) {
+    FlgTexture texture;
+    flgTextureInit(&texture, (uint32_t)sizeof texture);
+    return texture;
+}
+
+static inline FlgMorphTarget flgMorphTargetDefaults(void) {
+    FlgMorphTarget target;
+    flgMorphTargetInit(&target, (uint32_t)sizeof target);
+    return target;
+}
+
+static inline FlgMorphAnimation flgMorphAnimationDefaults(void) {
+    FlgMorphAnimation animation;
+    flgMorphAnimationInit(&animation, (uint32_t)sizeof animation);
+    return animation;
 }
 
 static inline FlgMeshMaterial flgMeshMaterialDefaults(void) {

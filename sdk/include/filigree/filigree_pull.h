@@ -6,8 +6,9 @@
  *
  * Pull         What pulling needs of a mesh alone. Made once.
  * Pulled       The mesh as handles pull it. Made again for each frame, from the one before.
+ * Keys         Positions of handles over time, recorded or made: a function of plain structs, no object.
  *
- * Neither changes once ready. Both keep their inputs alive.
+ * Neither Pull nor Pulled changes once ready. Both keep their inputs alive.
  */
 #ifndef FILIGREE_FILIGREE_PULL_H
 #define FILIGREE_FILIGREE_PULL_H
@@ -95,6 +96,24 @@ FLG_API FlgResult flgPulledGetView(FlgContext context, FlgPulled pulled, FlgPull
 
 FLG_API FlgResult flgPulledRelease(FlgContext context, FlgPulled pulled);
 
+/* Positions of handles over time: a record of what somebody dragged, or keyframes. */
+typedef struct FlgPullKeys {
+    uint32_t struct_size;
+    uint32_t handle_count;   /* 1 to FLG_PULL_MAX_HANDLES */
+    const uint32_t* offsets; /* handle_count + 1, from 0: the keys of handle h are offsets[h] to offsets[h + 1] - 1, at
+                                least one */
+    const double* times;     /* seconds, one per key, rising for each handle */
+    const float* positions;  /* 3 per key, metres */
+} FlgPullKeys;
+
+FLG_API FlgResult flgPullKeysInit(FlgPullKeys* keys, uint32_t struct_size);
+
+/* [any thread] Where handles are at a time, for FlgPullHandle::position: at their keys exactly, smooth in between
+ * (velocities are continuous), at rest where two keys are at one place; before the first key and after the last where
+ * these are. `out_positions`: 3 per handle, metres. The same for the same keys, so a record can be played again, at any
+ * rate: the mesh too is the same if its frames are at the same times. Cost: 0.1 us a handle, and checking all keys. */
+FLG_API FlgResult flgPullKeysSample(const FlgPullKeys* keys, double time, float* out_positions);
+
 /* ---- Defaults by value ------------------------------------------------------------------------------------------- */
 
 static inline FlgPullDesc flgPullDefaults(void) {
@@ -119,6 +138,12 @@ static inline FlgPulledView flgPulledViewDefaults(void) {
     FlgPulledView view;
     flgPulledViewInit(&view, (uint32_t)sizeof view);
     return view;
+}
+
+static inline FlgPullKeys flgPullKeysDefaults(void) {
+    FlgPullKeys keys;
+    flgPullKeysInit(&keys, (uint32_t)sizeof keys);
+    return keys;
 }
 
 #ifdef __cplusplus

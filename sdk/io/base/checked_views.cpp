@@ -6,11 +6,13 @@
 #include <cstring>
 #include <string_view>
 
+#include "io/base/checks.h"
 #include "io/base/entry_point.h"
 #include "io/base/failure.h"
 #include "io/base/json_text.h"
 #include "io/base/limits.h"
 #include "io/base/mesh_data.h"
+#include "io/base/pictures.h"
 #include "io/base/skin_data.h"
 
 namespace flg::io {
@@ -144,6 +146,7 @@ void CheckedView::check_curves() const {
 
 FlgMeshMaterial material_defaults() {
     auto material = sized<FlgMeshMaterial>();
+    material.texture = FLG_NO_INDEX;
     material.color[0] = material.color[1] = material.color[2] = 1;
     material.roughness = 0.6f;
     return material;
@@ -255,27 +258,8 @@ namespace {
 
 constexpr double length_tolerance = 1e-3;
 constexpr double sum_tolerance = 1e-4;
-constexpr size_t max_name = 255;
 constexpr uint32_t max_parts = 1u << 24;  // floats tell them apart
 constexpr uint32_t max_levels = 16;
-
-String at(const String& array, size_t index) {
-    return array + "[" + to_text(index) + "]";
-}
-
-void check_floats(const float* values, size_t count, const String& name) {
-    check_argument(values, name.c_str());
-    for (size_t i = 0; i < count; ++i) {
-        if (std::abs(values[i]) <= max_coordinate) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at(name, i), "is %g, must be finite and at most 1e30 in size",
-             double{values[i]});
-    }
-}
-
-void check_name(const char* name, const String& place) {
-    if (!name || (strnlen(name, max_name + 1) <= max_name && is_utf8(name))) return;
-    fail(FLG_ERROR_INVALID_ARGUMENT, place, "must be UTF-8 of at most 255 bytes");
-}
 
 }  // namespace
 
@@ -297,16 +281,22 @@ CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
     check_joints();
     check_mesh(skin(), "desc.skin");
     check_levels();
-    check_texture();
+    check_textures();
+    check_colors();
     if (desc_.animation_count != 0) check_argument(desc_.animations, "desc.animations");
     for (uint32_t i = 0; i < desc_.animation_count; ++i) {
-        const String place = at("desc.animations", i);
+        const String place = element_of("desc.animations", i);
         animations_.push_back(read_element<Longer::cut>(desc_.animations, i, sized<FlgSkinAnimation>(), place.c_str()));
         check_animation(animations_.back(), place);
     }
     materials_ = read_materials(desc_.materials, desc_.material_count);
+    for (uint32_t i = 0; i < materials_.size(); ++i)
+        if (materials_[i].texture != FLG_NO_INDEX && materials_[i].texture >= textures_.size())
+            fail(FLG_ERROR_INVALID_ARGUMENT, element_of("desc.materials", i) + ".texture",
+                 "is %u, but there are %zu textures", materials_[i].texture, textures_.size());
+    morphs_ = CheckedMorphs(desc_);
     check_labels(skin(), "desc.skin");
-    for (uint32_t i = 0; i < desc_.level_count; ++i) check_labels(meshes_[i + 1], at("desc.levels", i));
+    for (uint32_t i = 0; i < desc_.level_count; ++i) check_labels(meshes_[i + 1], element_of("desc.levels", i));
     if (desc_.rig) check_rig();
     if (desc_.vrm) check_vrm();
 }
@@ -319,7 +309,7 @@ void CheckedSkin::check_rig() {
     check_argument(rig_->joints, "desc.rig.joints");
     for (uint32_t j = 0; j < joint_count(); ++j) {
         const FlgRigJoint& joint = rig_->joints[j];
-        const String place = at("desc.rig.joints", j);
+        const String place = element_of("desc.rig.joints", j);
         check_floats(joint.capsule_start, 3, place + ".capsule_start");
         check_floats(joint.capsule_end, 3, place + ".capsule_end");
         check_floats(&joint.capsule_radius, 1, place + ".capsule_radius");
@@ -336,8 +326,8 @@ void CheckedSkin::check_vrm() {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.vrm.author_count", "is 0: VRM asks for an author");
     check_argument(vrm_->authors, "desc.vrm.authors");
     for (uint32_t i = 0; i < vrm_->author_count; ++i) {
-        check_argument(vrm_->authors[i], at("desc.vrm.authors", i).c_str());
-        check_name(vrm_->authors[i], at("desc.vrm.authors", i));
+        check_argument(vrm_->authors[i], element_of("desc.vrm.authors", i).c_str());
+        check_name(vrm_->authors[i], element_of("desc.vrm.authors", i));
     }
     check_name(vrm_->name, "desc.vrm.name");
     check_name(vrm_->license_url, "desc.vrm.license_url");
@@ -345,7 +335,7 @@ void CheckedSkin::check_vrm() {
     Vector<std::string_view> bones;
     for (uint32_t j = 0; j < joint_count(); ++j) {
         if (!vrm_->bones[j]) continue;
-        check_name(vrm_->bones[j], at("desc.vrm.bones", j));
+        check_name(vrm_->bones[j], element_of("desc.vrm.bones", j));
         bones.push_back(vrm_->bones[j]);
     }
     std::sort(bones.begin(), bones.end());
@@ -368,12 +358,12 @@ void CheckedSkin::check_joints() const {
     for (uint32_t j = 0; j < skin().joint_count; ++j) {
         const uint32_t parent = skin().joint_parents[j];
         if (parent != FLG_NO_INDEX && parent >= j) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.joint_parents", j),
+            fail(FLG_ERROR_INVALID_ARGUMENT, element_of("desc.skin.joint_parents", j),
                  "is %u, must be lower than the joint, or FLG_NO_INDEX", parent);
         }
         if (!skin().joint_names) continue;
-        check_argument(skin().joint_names[j], at("desc.skin.joint_names", j).c_str());
-        check_name(skin().joint_names[j], at("desc.skin.joint_names", j));
+        check_argument(skin().joint_names[j], element_of("desc.skin.joint_names", j).c_str());
+        check_name(skin().joint_names[j], element_of("desc.skin.joint_names", j));
     }
 }
 
@@ -387,14 +377,14 @@ void CheckedSkin::check_mesh(const FlgSkinView& mesh, const String& place) const
     for (size_t v = 0; v < vertices; ++v) {
         check_binding(mesh, place, v);
         if (part_of_vertex(mesh, v) < max_parts) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_parts", v), "is %u, must be below %u",
+        fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_parts", v), "is %u, must be below %u",
              part_of_vertex(mesh, v), max_parts);
     }
     check_triangles(mesh, place);
     if (mesh.corner_uvs) check_floats(mesh.corner_uvs, 6 * triangles, place + ".corner_uvs");
     for (size_t t = 0; mesh.triangle_parts && t < triangles; ++t) {
         if (mesh.triangle_parts[t] < max_parts) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".triangle_parts", t), "is %u, must be below %u",
+        fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".triangle_parts", t), "is %u, must be below %u",
              mesh.triangle_parts[t], max_parts);
     }
 }
@@ -406,22 +396,22 @@ void CheckedSkin::check_binding(const FlgSkinView& mesh, const String& place, si
     for (size_t k = 0; k < joints_a_vertex; ++k) {
         const size_t i = joints_a_vertex * vertex + k;
         if (joints[k] >= joint_count()) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_joints", i), "is %u, but there are %zu joints",
+            fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_joints", i), "is %u, but there are %zu joints",
                  joints[k], joint_count());
         }
         if (!(weights[k] >= 0 && weights[k] <= 1 + sum_tolerance)) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_weights", i), "is %g, must be 0 to 1",
+            fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_weights", i), "is %g, must be 0 to 1",
                  double{weights[k]});
         }
         for (size_t other = 0; weights[k] > 0 && other < k; ++other) {
             if (joints[other] != joints[k] || weights[other] == 0) continue;
-            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_joints", i), "is %u, which vertex %zu has already",
-                 joints[k], vertex);
+            fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_joints", i),
+                 "is %u, which vertex %zu has already", joints[k], vertex);
         }
         sum += weights[k];
     }
     if (std::abs(sum - 1) <= sum_tolerance) return;
-    fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_weights", joints_a_vertex * vertex),
+    fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_weights", joints_a_vertex * vertex),
          "and the next three sum up to %g, must be 1", sum);
 }
 
@@ -431,7 +421,7 @@ void CheckedSkin::check_triangles(const FlgSkinView& mesh, const String& place) 
     check_argument(mesh.triangles, (place + ".triangles").c_str());
     for (size_t i = 0; i < 3 * size_t{mesh.triangle_count}; ++i) {
         if (mesh.triangles[i] < mesh.vertex_count) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".triangles", i), "is %u, but there are %u vertices",
+        fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".triangles", i), "is %u, but there are %u vertices",
              mesh.triangles[i], mesh.vertex_count);
     }
 }
@@ -442,7 +432,7 @@ void CheckedSkin::check_levels() {
              max_levels);
     if (desc_.level_count != 0) check_argument(desc_.levels, "desc.levels");
     for (uint32_t i = 0; i < desc_.level_count; ++i) {
-        const String place = at("desc.levels", i);
+        const String place = element_of("desc.levels", i);
         meshes_.push_back(read_element<Longer::cut>(desc_.levels, i, sized<FlgSkinView>(), place.c_str()));
         if (meshes_.back().joint_count != joint_count())
             fail(FLG_ERROR_INVALID_ARGUMENT, place + ".joint_count", "is %u, but the skin has %zu joints",
@@ -451,22 +441,47 @@ void CheckedSkin::check_levels() {
     }
 }
 
-bool CheckedSkin::has_png() const {
-    constexpr uint8_t png[] = {0x89, 'P', 'N', 'G'};
-    return texture().size() > sizeof png && std::equal(std::begin(png), std::end(png), texture().begin());
+void CheckedSkin::check_textures() {
+    const auto check = [&](const FlgTexture& texture, const String& place) {
+        const Bytes picture{texture.picture, texture.picture_size};
+        if (!is_png(picture) && !is_jpeg(picture))
+            fail(FLG_ERROR_INVALID_ARGUMENT, place, "is neither a PNG nor a JPEG file");
+        for (const FlgSkinView& mesh : meshes_)
+            if (!mesh.corner_uvs) fail(FLG_ERROR_INVALID_ARGUMENT, place, "needs the corner_uvs of all meshes");
+        textures_.push_back(texture);
+    };
+    if (!desc_.texture && desc_.texture_size != 0)
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is null, but has a size");
+    if (desc_.texture) {
+        if (desc_.texture_count != 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is there, and so are textures");
+        // At its edge the picture goes on: bodies reach a little beyond their outlines.
+        auto only = sized<FlgTexture>();
+        only.wrap_u = only.wrap_v = FLG_TEXTURE_WRAP_CLAMP;
+        only.picture = desc_.texture;
+        only.picture_size = desc_.texture_size;
+        check(only, "desc.texture");
+    }
+    if (desc_.texture_count != 0) check_argument(desc_.textures, "desc.textures");
+    for (uint32_t i = 0; i < desc_.texture_count; ++i) {
+        const String place = element_of("desc.textures", i);
+        const auto texture = read_element<Longer::cut>(desc_.textures, i, sized<FlgTexture>(), place.c_str());
+        check_argument(texture.picture, (place + ".picture").c_str());
+        check_name(texture.name, place + ".name");
+        for (const FlgTextureWrap wrap : {texture.wrap_u, texture.wrap_v})
+            if (wrap < FLG_TEXTURE_WRAP_REPEAT || wrap > FLG_TEXTURE_WRAP_MIRROR)
+                fail(FLG_ERROR_INVALID_ARGUMENT, place, "wraps by %d, which is none of FLG_TEXTURE_WRAP_",
+                     static_cast<int>(wrap));
+        check(texture, place + ".picture");
+    }
 }
 
-void CheckedSkin::check_texture() const {
-    if (!desc_.texture) {
-        if (desc_.texture_size != 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is null, but has a size");
-        return;
-    }
-    constexpr uint8_t jpeg[] = {0xff, 0xd8, 0xff};
-    const bool is_jpeg =
-        texture().size() > sizeof jpeg && std::equal(std::begin(jpeg), std::end(jpeg), texture().begin());
-    if (!has_png() && !is_jpeg) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "is neither a PNG nor a JPEG file");
-    for (const FlgSkinView& mesh : meshes_)
-        if (!mesh.corner_uvs) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.texture", "needs the corner_uvs of all meshes");
+void CheckedSkin::check_colors() const {
+    if (desc_.vertex_colors) check_floats(desc_.vertex_colors, 4 * size_t{skin().vertex_count}, "desc.vertex_colors");
+}
+
+// With one for all, each material has it.
+uint32_t CheckedSkin::texture_of(const FlgMeshMaterial& material) const {
+    return desc_.texture ? 0 : material.texture;
 }
 
 // Parts that have no material.
@@ -474,12 +489,12 @@ void CheckedSkin::check_labels(const FlgSkinView& mesh, const String& place) con
     if (desc_.material_count <= 1) return;
     for (size_t v = 0; v < mesh.vertex_count; ++v) {
         if (part_of_vertex(mesh, v) < desc_.material_count) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".vertex_parts", v), "is %u, but there are %u materials",
+        fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".vertex_parts", v), "is %u, but there are %u materials",
              part_of_vertex(mesh, v), desc_.material_count);
     }
     for (size_t t = 0; t < mesh.triangle_count; ++t) {
         if (part_of_triangle(mesh, t) < desc_.material_count) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".triangle_parts", t), "is %u, but there are %u materials",
+        fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".triangle_parts", t), "is %u, but there are %u materials",
              part_of_triangle(mesh, t), desc_.material_count);
     }
 }
@@ -498,22 +513,14 @@ uint32_t part_of_triangle(const FlgSkinView& skin, size_t triangle) {
 void CheckedSkin::check_animation(const FlgSkinAnimation& animation, const String& place) const {
     check_name(animation.name, place + ".name");
     if (animation.key_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, place + ".key_count", "is 0, must be at least 1");
-    check_floats(animation.times, animation.key_count, place + ".times");
-    float before = -1;
-    for (uint32_t key = 0; key < animation.key_count; ++key) {
-        if (!(animation.times[key] >= 0 && animation.times[key] > before)) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".times", key), "is %g after %g; times rise from 0 or later",
-                 double{animation.times[key]}, double{before});
-        }
-        before = animation.times[key];
-    }
+    check_times(animation.times, animation.key_count, place + ".times");
     const size_t turns = animation.key_count * joint_count();
     check_floats(animation.rotations, 4 * turns, place + ".rotations");
     for (size_t i = 0; i < turns; ++i) {
         const float* q = animation.rotations + 4 * i;
         const double size = std::hypot(std::hypot(double{q[0]}, q[1]), std::hypot(double{q[2]}, q[3]));
         if (std::abs(size - 1) <= length_tolerance) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".rotations", 4 * i),
+        fail(FLG_ERROR_INVALID_ARGUMENT, element_of(place + ".rotations", 4 * i),
              "starts a quaternion that is %g long, must be 1", size);
     }
     if (animation.translations)

@@ -11,6 +11,7 @@
 #include "core/origin.h"
 #include "filigree/filigree.h"
 #include "filigree/filigree_io.h"
+#include "io/base/checked_morphs.h"
 #include "io/base/memory.h"
 
 namespace flg::io {
@@ -117,8 +118,12 @@ public:
     String name() const { return desc_.name ? desc_.name : "model"; }
     const std::optional<FlgRig>& rig() const { return rig_; }
     const std::optional<FlgVrm>& vrm() const { return vrm_; }
-    std::span<const uint8_t> texture() const { return {desc_.texture, desc_.texture_size}; }
-    bool has_png() const;
+    const Vector<FlgTexture>& textures() const { return textures_; }
+    // FLG_NO_INDEX: none.
+    uint32_t texture_of(const FlgMeshMaterial& material) const;
+    // 4 per vertex of the skin, or null.
+    const float* vertex_colors() const { return desc_.vertex_colors; }
+    const CheckedMorphs& morphs() const { return morphs_; }
 
 private:
     void check_mesh(const FlgSkinView& mesh, const String& place) const;
@@ -127,7 +132,8 @@ private:
     void check_labels(const FlgSkinView& mesh, const String& place) const;
     void check_joints() const;
     void check_levels();
-    void check_texture() const;
+    void check_textures();
+    void check_colors() const;
     void check_animation(const FlgSkinAnimation& animation, const String& place) const;
     void check_rig();
     void check_vrm();
@@ -138,6 +144,8 @@ private:
     std::optional<FlgVrm> vrm_;
     Vector<FlgSkinAnimation> animations_;
     Vector<FlgMeshMaterial> materials_;
+    Vector<FlgTexture> textures_;
+    CheckedMorphs morphs_;
 };
 
 // The part of a vertex, and of a triangle, as FlgSkinView has them.

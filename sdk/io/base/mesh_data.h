@@ -9,6 +9,7 @@
 #include "filigree/filigree_io.h"
 #include "io/base/column_names.h"
 #include "io/base/failure.h"
+#include "io/base/files.h"
 #include "io/base/limits.h"
 #include "io/base/memory.h"
 #include "io/base/placing.h"
@@ -30,6 +31,16 @@ struct MaterialData {
     float metallic = 1, roughness = 1;
     float border_color[3] = {0, 0, 0};
     float border_width_px = 0;
+    uint32_t texture = FLG_NO_INDEX;
+    bool two_sided = false;
+};
+
+// As FlgTexture, with its picture.
+struct TextureData {
+    String name;
+    FlgTextureWrap wrap_u = FLG_TEXTURE_WRAP_REPEAT, wrap_v = FLG_TEXTURE_WRAP_REPEAT;
+    bool nearest = false;
+    ByteBlock picture;
 };
 
 // A face of more than three corners; its fan lies at `first` in the triangles.
@@ -47,6 +58,8 @@ struct MeshData {
     Vector<uint32_t> regions;      // one a triangle, or empty
     Vector<FaceColumn> face_columns;
     Vector<MaterialData> materials;  // by region, or empty
+    Vector<TextureData> textures;
+    Vector<float> corner_uvs;  // 6 a triangle, up to the last that has some
     Vector<PolygonFan> fans;
     uint64_t polygon_count = 0;
     Vector<String> warnings;
@@ -76,7 +89,8 @@ struct MeshData {
         // As if all vertices had colours.
         uint64_t vertex_bytes = (3 + 4) * sizeof(float);
         for (const VertexColumn& column : columns) vertex_bytes += column.components * sizeof(float);
-        const uint64_t triangle_bytes = (4 + face_columns.size()) * sizeof(uint32_t);
+        const uint64_t uv_bytes = corner_uvs.empty() ? 0 : 6 * sizeof(float);
+        const uint64_t triangle_bytes = (4 + face_columns.size()) * sizeof(uint32_t) + uv_bytes;
         const uint64_t vertices = vertex_count() + more_vertices;
         const uint64_t all_triangles = triangle_count() + more_triangles;
         if (vertices > max_bytes || all_triangles > max_bytes ||

@@ -17,6 +17,17 @@ struct AnimationData {
     Vector<float> times, rotations, translations;  // no translations: the roots stay
 };
 
+struct MorphTargetData {
+    String name;
+    Vector<float> moves, normal_moves;
+};
+
+struct MorphAnimationData {
+    String name;
+    Vector<float> times, weights;
+    uint32_t animation = FLG_NO_INDEX;  // of the skin's
+};
+
 struct SkinData {
     Vector<float> positions, normals, weights;
     Vector<uint32_t> triangles, parts;
@@ -27,6 +38,11 @@ struct SkinData {
     Vector<String> joint_names;
     Vector<AnimationData> animations;
     Vector<MaterialData> materials;  // by part, one for all, or empty
+    Vector<TextureData> textures;
+    Vector<float> corner_uvs;  // 6 a triangle, or empty
+    Vector<float> colors;      // 4 a vertex, or empty
+    Vector<MorphTargetData> morphs;
+    Vector<MorphAnimationData> morph_animations;
     Vector<String> warnings;
 
     size_t vertex_count() const { return positions.size() / 3; }

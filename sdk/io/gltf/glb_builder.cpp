@@ -76,8 +76,12 @@ size_t GlbBuilder::add_times(std::span<const float> times) {
                         ",\"min\":[" + json_number(*low) + "],\"max\":[" + json_number(*high) + "]");
 }
 
-size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, size_t first, size_t count) {
-    constexpr size_t components = 3;
+namespace {
+
+constexpr size_t components = 3;
+
+// The least and largest of each coordinate, as JSON.
+String bounds_of(std::span<const float> positions, size_t first, size_t count) {
     float low[components], high[components];
     for (size_t k = 0; k < components; ++k) {
         low[k] = high[k] = positions[first * components + k];
@@ -95,7 +99,37 @@ size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, 
         }
         bounds += ']';
     }
-    return add_accessor(view, first * components * sizeof(float), count, glb_float, "VEC3", bounds);
+    return bounds;
+}
+
+}  // namespace
+
+size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, size_t first, size_t count) {
+    return add_accessor(view, first * components * sizeof(float), count, glb_float, "VEC3",
+                        bounds_of(positions, first, count));
+}
+
+size_t GlbBuilder::add_moves(std::span<const float> moves, bool with_bounds) {
+    const size_t count = moves.size() / components;
+    const String bounds = with_bounds ? bounds_of(moves, 0, count) : "";
+    Vector<uint32_t> moving;
+    for (size_t v = 0; v < count; ++v) {
+        const float* move = &moves[components * v];
+        if (move[0] != 0 || move[1] != 0 || move[2] != 0) moving.push_back(static_cast<uint32_t>(v));
+    }
+    if (moving.size() * (components + 1) >= components * count)
+        return add_accessor(add_view(moves, components), 0, count, glb_float, "VEC3", bounds);
+    if (moving.empty()) moving.push_back(0);  // one must be there
+    Vector<float> values;
+    for (const uint32_t v : moving) values.insert(values.end(), &moves[components * v], &moves[components * v] + 3);
+    const size_t indices = add_bytes(moving.data(), moving.size() * sizeof(uint32_t), 0, "");
+    const size_t view = add_plain_view(values);
+    separate(accessors_);
+    accessors_ += "{\"componentType\":" + to_text(glb_float) + ",\"count\":" + to_text(count) + ",\"type\":\"VEC3\"" +
+                  bounds + ",\"sparse\":{\"count\":" + to_text(moving.size()) +
+                  ",\"indices\":{\"bufferView\":" + to_text(indices) + ",\"componentType\":" + to_text(glb_unsigned) +
+                  "},\"values\":{\"bufferView\":" + to_text(view) + "}}}";
+    return accessor_count_++;
 }
 
 void GlbBuilder::add_primitive(const String& attributes, int mode, const String& rest) {
@@ -103,9 +137,9 @@ void GlbBuilder::add_primitive(const String& attributes, int mode, const String&
     primitives_ += "{\"attributes\":{" + attributes + "},\"mode\":" + to_text(mode) + rest + "}";
 }
 
-size_t GlbBuilder::end_mesh() {
+size_t GlbBuilder::end_mesh(const String& rest) {
     separate(meshes_);
-    meshes_ += "{\"primitives\":[" + primitives_ + "]}";
+    meshes_ += "{\"primitives\":[" + primitives_ + "]" + rest + "}";
     primitives_.clear();
     return mesh_count_++;
 }

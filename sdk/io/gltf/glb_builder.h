@@ -43,14 +43,17 @@ public:
                         const String& bounds = "");
     // Numbers with their least and largest, as times must be.
     size_t add_times(std::span<const float> times);
+    // How vertices move, three floats each: sparse where that is smaller. Returns the accessor's index.
+    size_t add_moves(std::span<const float> moves, bool with_bounds);
     // Points first .. first + count - 1 of a view of positions.
     size_t add_positions(size_t view, std::span<const float> positions, size_t first, size_t count);
 
     // `rest` is what follows the mode, such as `,"indices":3`.
     void add_primitive(const String& attributes, int mode, const String& rest);
 
-    // The primitives since the last become a mesh; returns its index.
-    size_t end_mesh();
+    // The primitives since the last become a mesh; returns its index. `rest` is what follows them, such as
+    // `,"weights":[0]`.
+    size_t end_mesh(const String& rest = "");
 
     // `materials` is empty or ends with a comma. The mesh's node is at the origin.
     String finish(const String& materials, const Origin& origin) const;

@@ -11,6 +11,7 @@
 
 #include "io/base/failure.h"
 #include "io/base/limits.h"
+#include "io/gltf/gltf_morphs.h"
 #include "io/gltf/gltf_rotations.h"
 #include "io/gltf/gltf_skeleton.h"
 
@@ -207,9 +208,14 @@ constexpr double move_tolerance = 1e-4;     // of the model's size
 
 class AnimationReader {
 public:
-    AnimationReader(const GltfDocument& document, const GltfNodes& nodes, const GltfSkeleton& skeleton, double size,
-                    SkinData& data)
-        : document_(document), nodes_(nodes), skeleton_(skeleton), move_limit_(move_tolerance * size), data_(data) {
+    AnimationReader(const GltfDocument& document, const GltfNodes& nodes, const GltfSkeleton& skeleton,
+                    const GltfMorphReader& morphs, double size, SkinData& data)
+        : document_(document),
+          nodes_(nodes),
+          skeleton_(skeleton),
+          morphs_(morphs),
+          move_limit_(move_tolerance * size),
+          data_(data) {
         is_needed_.resize(nodes.size());
         for (const GltfJoint& joint : skeleton.joints()) {
             for (uint64_t node = joint.node; node != no_node && !is_needed_[node]; node = nodes.parent(node))
@@ -233,9 +239,11 @@ public:
         AnimationData animation;
         animation.name = name && name->is_string() ? String(name->string()) : "animation " + to_text(index);
         if (keys.empty()) {
-            data_.warnings.push_back(place_ + " moves no joint of the skin: left out");
+            if (!morphs_.read_animation(json, place_, animation.name, FLG_NO_INDEX, data_))
+                data_.warnings.push_back(place_ + " moves no joint of the skin: left out");
             return;
         }
+        morphs_.read_animation(json, place_, animation.name, static_cast<uint32_t>(data_.animations.size()), data_);
         limit_.add(keys.size() * needed_.size(), place_);
         animation.times = std::move(keys);
         sample(channels, animation);
@@ -310,6 +318,7 @@ private:
     const GltfDocument& document_;
     const GltfNodes& nodes_;
     const GltfSkeleton& skeleton_;
+    const GltfMorphReader& morphs_;
     const double move_limit_;
     SkinData& data_;
     Vector<uint64_t> needed_;  // joints and what is above them, parents first
@@ -323,9 +332,9 @@ private:
 
 }  // namespace
 
-void read_animations(const GltfDocument& document, const GltfNodes& nodes, const GltfSkeleton& skeleton, double size,
-                     SkinData& data) {
-    AnimationReader reader(document, nodes, skeleton, size, data);
+void read_animations(const GltfDocument& document, const GltfNodes& nodes, const GltfSkeleton& skeleton,
+                     const GltfMorphReader& morphs, double size, SkinData& data) {
+    AnimationReader reader(document, nodes, skeleton, morphs, size, data);
     for (uint64_t i = 0; i < document.size("animations"); ++i) reader.read(i);
 }
 

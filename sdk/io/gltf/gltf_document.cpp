@@ -198,7 +198,7 @@ const Json* gltf_array(const Json& object, const char* key, const String& place)
     return found;
 }
 
-GltfDocument::GltfDocument(const Path& path) : file_(read_file(path, "")) {
+GltfDocument::GltfDocument(const Path& path) : path_(path), file_(read_file(path, "")) {
     Bytes binary;
     Bytes text = file_.bytes();
     if (text.size() >= sizeof glb_magic && load<uint32_t>(text.data()) == glb_magic) text = split_glb(text, binary);
@@ -214,7 +214,7 @@ GltfDocument::GltfDocument(const Path& path) : file_(read_file(path, "")) {
              cited(version->string_or("no text")).c_str());
     }
     refuse_unknown_geometry(root());
-    load_buffers(path, binary);
+    load_buffers(binary);
 }
 
 Bytes GltfDocument::split_glb(Bytes file, Bytes& binary) const {
@@ -244,7 +244,7 @@ Bytes GltfDocument::split_glb(Bytes file, Bytes& binary) const {
     return json;
 }
 
-void GltfDocument::load_buffers(const Path& document, Bytes binary) {
+void GltfDocument::load_buffers(Bytes binary) {
     uint64_t total = 0;
     for (uint64_t i = 0; i < size("buffers"); ++i) {
         const String place = element_place("buffers", i);
@@ -254,7 +254,8 @@ void GltfDocument::load_buffers(const Path& document, Bytes binary) {
         Bytes bytes = binary;
         if (uri) {
             if (!uri->is_string()) fail(FLG_ERROR_FORMAT, place + ".uri", "is no string");
-            bytes = load_uri(uri->string(), document, place + ".uri");
+            loaded_.push_back(load_uri(uri->string(), place + ".uri"));
+            bytes = loaded_.back().bytes();
             total += bytes.size();
         } else if (i != 0 || binary.data() == nullptr) {
             fail(FLG_ERROR_FORMAT, place, "has no uri, and the file no binary chunk for it");
@@ -268,13 +269,12 @@ void GltfDocument::load_buffers(const Path& document, Bytes binary) {
     }
 }
 
-Bytes GltfDocument::load_uri(std::string_view uri, const Path& document, const String& place) {
+ByteBlock GltfDocument::load_uri(std::string_view uri, const String& place) const {
     if (uri.starts_with("data:")) {
         constexpr std::string_view marker = ";base64,";
         const size_t at = uri.find(marker);
         if (at == uri.npos) fail(FLG_ERROR_FORMAT, place, "is a data URI, but not of base64");
-        loaded_.push_back(decode_base64(uri.substr(at + marker.size()), place));
-        return loaded_.back().bytes();
+        return decode_base64(uri.substr(at + marker.size()), place);
     }
     // Only plain names below the document's folder: no schemes, drives, roots, parents, nor links that lead out.
     const String name = decode_percent(uri);
@@ -283,12 +283,11 @@ Bytes GltfDocument::load_uri(std::string_view uri, const Path& document, const S
         parent) {
         fail(FLG_ERROR_FORMAT, place, "must be a relative path below the file's folder: %s", cited(name).c_str());
     }
-    const Path target = document.beside(name);
-    if (!stays_beside(target, document)) {
+    const Path target = path_.beside(name);
+    if (!stays_beside(target, path_)) {
         fail(FLG_ERROR_FORMAT, place, "leads out of the file's folder: %s", cited(name).c_str());
     }
-    loaded_.push_back(read_file(target, place));
-    return loaded_.back().bytes();
+    return read_file(target, place);
 }
 
 size_t GltfDocument::size(const char* array) const {
@@ -314,6 +313,19 @@ GltfValues GltfDocument::matrices(uint64_t index, const String& place) const {
     const GltfValues values = values_of(index, place, true);
     if (values.component_type != gltf_float) fail(FLG_ERROR_FORMAT, values.place, "holds matrices that are no floats");
     return values;
+}
+
+ByteBlock GltfDocument::image(uint64_t index, const String& place) const {
+    const Json& json = element("images", index, place);
+    const String here = element_place("images", index);
+    if (const Json* const uri = json.find("uri")) {
+        if (!uri->is_string()) fail(FLG_ERROR_FORMAT, here + ".uri", "is no string");
+        return load_uri(uri->string(), here + ".uri");
+    }
+    const View bytes = view(gltf_required(json, "bufferView", here), here + ".bufferView");
+    ByteBlock copy(bytes.bytes.size());
+    std::copy(bytes.bytes.begin(), bytes.bytes.end(), copy.data());
+    return copy;
 }
 
 GltfDocument::View GltfDocument::view(uint64_t index, const String& referrer) const {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "io/base/files.h"
 #include "io/base/json.h"
 #include "io/base/memory.h"
 
@@ -58,6 +59,8 @@ public:
     GltfValues accessor(uint64_t index, const String& place) const;
     // Of 4 x 4 floats each, column by column.
     GltfValues matrices(uint64_t index, const String& place) const;
+    // The file that an image is; it is not decoded.
+    ByteBlock image(uint64_t index, const String& place) const;
 
     // A bufferView.
     struct View {
@@ -71,9 +74,10 @@ private:
     GltfValues values_of(uint64_t index, const String& place, bool of_matrices) const;
     void read_sparse(const Json& sparse, GltfValues& values) const;
     Bytes split_glb(Bytes file, Bytes& binary) const;
-    void load_buffers(const Path& document, Bytes binary);
-    Bytes load_uri(std::string_view uri, const Path& document, const String& place);
+    void load_buffers(Bytes binary);
+    ByteBlock load_uri(std::string_view uri, const String& place) const;
 
+    const Path path_;
     ByteBlock file_;
     std::optional<JsonDocument> json_;
     Vector<ByteBlock> loaded_;

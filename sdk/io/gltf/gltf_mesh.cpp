@@ -12,10 +12,13 @@
 #include "io/gltf/gltf_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/base/vec3.h"
 #include "io/gltf/gltf_materials.h"
+#include "io/gltf/gltf_normals.h"
 #include "io/gltf/gltf_scene.h"
+#include "io/gltf/gltf_textures.h"
 #include "io/gltf/gltf_triangles.h"
 
 namespace flg::io {
@@ -26,7 +29,7 @@ constexpr uint64_t no_material = UINT64_MAX;
 
 class GltfMeshReader {
 public:
-    GltfMeshReader(const Path& path, const Origin& origin) : document_(path), origin_(origin) {}
+    GltfMeshReader(const Path& path, const Origin& origin) : document_(path), origin_(origin), textures_(document_) {}
 
     MeshData read() {
         data_.format = "gltf";
@@ -36,8 +39,15 @@ public:
             colors_.resize(4 * data_.vertex_count(), 1.0f);
             data_.columns.push_back({FLG_ATTRIBUTE_COLOR, 4, std::move(colors_)});
         }
+        if (all_have_normals_) data_.columns.push_back({FLG_ATTRIBUTE_NORMAL, 3, std::move(normals_)});
+        if (!data_.corner_uvs.empty()) data_.corner_uvs.resize(6 * data_.triangle_count());
         if (regions_.size() == 1) data_.regions.clear();
         if (!says_color_) data_.materials.clear();
+        data_.textures = textures_.take(data_.warnings);
+        lost_.warn(data_.warnings);
+        data_.warn(shapes_, "primitive", "with morph targets, left out");
+        data_.warn(columns_, "primitive",
+                   "with attributes besides positions, normals, colours and texture coordinates, left out");
         data_.warn(others_, "primitive", "of points or lines, left out: only triangles are read");
         data_.warn(open_, "primitive", "of triangles that are not complete, the rest left out");
         return std::move(data_);
@@ -46,9 +56,25 @@ public:
 private:
     // The vertices of one primitive, as the next may share them.
     struct SharedVertices {
-        uint64_t placement, positions, colors;
+        uint64_t placement, positions, colors, normals;
         bool operator==(const SharedVertices&) const = default;
     };
+
+    // Names what a primitive has and is not read. Joints and weights are for those who read skins, and so are shapes of
+    // what has joints.
+    void note_lost(const GltfPrimitive& primitive, const Json& attributes, const GltfTextureUse& use) {
+        const Json* const targets = primitive.json.find("targets");
+        if (targets && targets->size() != 0 && !attributes.find("JOINTS_0")) shapes_.add(primitive.index);
+        const String seen = "TEXCOORD_" + to_text(use.set);
+        for (const JsonMember& attribute : attributes.members()) {
+            if (attribute.name == "POSITION" || attribute.name == "NORMAL" || attribute.name == "COLOR_0" ||
+                attribute.name == seen || attribute.name.starts_with("JOINTS_") ||
+                attribute.name.starts_with("WEIGHTS_") || attribute.name == "_PART")
+                continue;
+            columns_.add(primitive.index);
+            return;
+        }
+    }
 
     void read_primitive(const GltfPrimitive& primitive) {
         if (primitive.mode < gltf_triangles) {
@@ -59,31 +85,39 @@ private:
         const uint64_t vertex_count = vertices.positions.count;
         const std::optional<GltfValues> values = read_index_values(document_, primitive);
         const Json& attributes = *primitive.json.find("attributes");
+        const std::optional<GltfNormals> normals = GltfNormals::read(document_, primitive, vertex_count);
         const SharedVertices shared = {primitive.placement, attributes.find("POSITION")->count(),
-                                       vertices.colors ? attributes.find("COLOR_0")->count() : no_material};
+                                       vertices.colors ? attributes.find("COLOR_0")->count() : no_material,
+                                       normals ? attributes.find("NORMAL")->count() : no_material};
         const bool is_new = data_.positions.empty() || !(shared == shared_);
         const uint64_t corner_count = values ? values->count : vertex_count;
         data_.check_room(is_new ? vertex_count : 0, primitive.mode == gltf_triangles ? corner_count / 3 : corner_count,
                          primitive.place);
         const Vector<uint32_t> indices = read_indices(values, vertex_count);
-        if (is_new) append_vertices(vertices, primitive.transform, place_of(primitive));
+        if (is_new) append_vertices(vertices, normals, primitive);
         shared_ = shared;
-        append_triangles(primitive, indices);
-
         const uint64_t material = gltf_unsigned(primitive.json, "material", no_material, primitive.place);
+        const GltfTextureUse use = textures_.of_material(material);
+        note_lost(primitive, attributes, use);
+        append_triangles(primitive, indices, GltfUvs::read(document_, primitive, use, vertex_count));
+
         const uint32_t next = static_cast<uint32_t>(regions_.size());
         if (data_.regions.size() < data_.triangle_count()) {
             const auto [found, is_first] = regions_.try_emplace(material, next);
             data_.regions.resize(data_.triangle_count(), found->second);
             if (!is_first) return;
             GltfMaterial look = read_material(document_, material, primitive.place + ".material");
-            says_color_ |= look.says_color;
+            look.data.texture = use.texture;
+            says_color_ |= look.says_color || use.texture != FLG_NO_INDEX;
+            lost_.add(document_, material);
             data_.materials.push_back(std::move(look.data));
         }
     }
 
-    void append_vertices(const GltfVertices& vertices, const Transform& transform, const Origin& place) {
-        if (!data_.placing.stored) data_.placing.stored = place;
+    void append_vertices(const GltfVertices& vertices, const std::optional<GltfNormals>& normals,
+                         const GltfPrimitive& primitive) {
+        const Transform& transform = primitive.transform;
+        if (!data_.placing.stored) data_.placing.stored = place_of(primitive);
         first_vertex_ = static_cast<uint32_t>(data_.vertex_count());
         const uint32_t count = static_cast<uint32_t>(vertices.positions.count);
         data_.positions.resize(3 * (size_t{first_vertex_} + count));
@@ -91,6 +125,11 @@ private:
         for (uint32_t i = 0; i < count; ++i, to += 3) {
             const std::array<float, 3> position = vertices.position(i, transform);
             std::copy(position.begin(), position.end(), to);
+        }
+        all_have_normals_ = all_have_normals_ && normals;
+        for (uint32_t i = 0; all_have_normals_ && i < count; ++i) {
+            const std::array<float, 3> normal = normals->at(i, transform);
+            normals_.insert(normals_.end(), normal.begin(), normal.end());
         }
         if (!vertices.colors) return;
         // White, where primitives before this one have no colours.
@@ -100,11 +139,18 @@ private:
         }
     }
 
-    void append_triangles(const GltfPrimitive& primitive, const Vector<uint32_t>& indices) {
+    void append_triangles(const GltfPrimitive& primitive, const Vector<uint32_t>& indices,
+                          const std::optional<GltfUvs>& uvs) {
         const bool mirrored = determinant(primitive.transform) < 0;
+        if (uvs) data_.corner_uvs.resize(6 * data_.triangle_count());
         const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
-            data_.add_triangle(first_vertex_ + a, first_vertex_ + (mirrored ? c : b),
-                               first_vertex_ + (mirrored ? b : c));
+            if (mirrored) std::swap(b, c);
+            data_.add_triangle(first_vertex_ + a, first_vertex_ + b, first_vertex_ + c);
+            for (const uint32_t vertex : {a, b, c}) {
+                if (!uvs) break;
+                const std::array<float, 2> uv = uvs->at(vertex);
+                data_.corner_uvs.insert(data_.corner_uvs.end(), uv.begin(), uv.end());
+            }
         };
         if (primitive.mode == gltf_triangles && indices.size() % 3 != 0) open_.add(primitive.index);
         visit_triangles(primitive.mode, indices, add);
@@ -113,12 +159,16 @@ private:
     GltfDocument document_;
     const Origin origin_;
     MeshData data_;
+    GltfTextures textures_;
+    LostLooks lost_;
     Vector<float> colors_;  // of the vertices up to the last that has one
+    Vector<float> normals_;
+    bool all_have_normals_ = true;
     SharedVertices shared_ = {};
     uint32_t first_vertex_ = 0;
     Map<uint64_t, uint32_t> regions_;  // of materials
     bool says_color_ = false;          // at least one of them
-    Tally others_, open_;
+    Tally others_, open_, shapes_, columns_;
 };
 
 }  // namespace

@@ -16,11 +16,15 @@
 #include <numeric>
 
 #include "io/base/json_text.h"
+#include "io/base/pictures.h"
 #include "io/base/vec3.h"
 #include "io/gltf/glb_builder.h"
 #include "io/gltf/gltf_animations.h"
 #include "io/gltf/gltf_materials.h"
+#include "io/gltf/gltf_morph_writer.h"
+#include "io/gltf/gltf_morphs.h"
 #include "io/gltf/gltf_rig.h"
+#include "io/gltf/gltf_textures.h"
 #include "io/gltf/gltf_triangles.h"
 
 namespace flg::io {
@@ -33,7 +37,8 @@ constexpr uint64_t no_material = UINT64_MAX;
 
 class GltfSkinReader {
 public:
-    explicit GltfSkinReader(const Path& path) : document_(path), nodes_(document_) {}
+    explicit GltfSkinReader(const Path& path)
+        : document_(path), nodes_(document_), textures_(document_), morphs_(document_) {}
 
     std::optional<SkinData> read() {
         std::optional<uint64_t> skin;
@@ -59,7 +64,12 @@ public:
         warn(data_.warnings, others, "node", "with a mesh of no skin or of another, left out");
         warn(data_.warnings, lines_, "primitive", "of points or lines, left out");
         warn(data_.warnings, more_joints_, "primitive", "with more than four joints a vertex: the first four are read");
-        read_animations(document_, nodes_, *skeleton_, size(), data_);
+        if (!data_.corner_uvs.empty()) data_.corner_uvs.resize(6 * data_.triangle_count());
+        if (!data_.colors.empty()) data_.colors.resize(4 * data_.vertex_count(), 1.0f);
+        data_.textures = textures_.take(data_.warnings);
+        lost_.warn(data_.warnings);
+        morphs_.finish(data_);
+        read_animations(document_, nodes_, *skeleton_, morphs_, size(), data_);
         return std::move(data_);
     }
 
@@ -94,29 +104,60 @@ private:
         const Vector<uint32_t> indices = read_indices(index_values, count);
         // Primitives that follow each other and have the same attributes share their vertices.
         const Json& attributes = *primitive.json.find("attributes");
-        const bool is_new =
-            data_.positions.empty() || primitive.placement != last_node_ || !(attributes == *last_attributes_);
+        const Json* const targets = primitive.json.find("targets");
+        const bool same_targets = targets && last_targets_ ? *targets == *last_targets_ : targets == last_targets_;
+        const bool is_new = data_.positions.empty() || primitive.placement != last_node_ ||
+                            !(attributes == *last_attributes_) || !same_targets;
         last_node_ = primitive.placement;
         last_attributes_ = &attributes;
+        last_targets_ = targets;
         const uint64_t material = gltf_unsigned(primitive.json, "material", no_material, primitive.place);
         const uint32_t next = static_cast<uint32_t>(part_of_material_.size());
         const auto [found, is_first] = part_of_material_.try_emplace(material, next);
-        if (is_first) materials_.push_back(read_material(document_, material, primitive.place + ".material"));
-        if (is_new) append_vertices(primitive, vertices, found->second);
-        const bool mirrored = determinant(primitive.transform) < 0;
-        visit_triangles(primitive.mode, indices, [&](uint32_t a, uint32_t b, uint32_t c) {
-            data_.triangles.insert(data_.triangles.end(), {first_vertex_ + a, first_vertex_ + (mirrored ? c : b),
-                                                           first_vertex_ + (mirrored ? b : c)});
-        });
+        if (is_first) materials_.push_back(material_of(material, primitive.place + ".material"));
+        if (is_new) {
+            append_vertices(primitive, vertices, found->second);
+            morphs_.append(primitive, primitive.placement, count);
+        }
+        append_triangles(primitive, indices,
+                         GltfUvs::read(document_, primitive, textures_.of_material(material), count));
         data_.triangle_parts.resize(data_.triangle_count(), found->second);
         file_materials_.resize(data_.triangle_count(), material);
     }
 
+    // With its texture.
+    GltfMaterial material_of(uint64_t index, const String& place) {
+        GltfMaterial material = read_material(document_, index, place);
+        material.data.texture = textures_.of_material(index).texture;
+        material.says_color = material.says_color || material.data.texture != FLG_NO_INDEX;
+        lost_.add(document_, index);
+        return material;
+    }
+
+    void append_triangles(const GltfPrimitive& primitive, const Vector<uint32_t>& indices,
+                          const std::optional<GltfUvs>& uvs) {
+        const bool mirrored = determinant(primitive.transform) < 0;
+        if (uvs) data_.corner_uvs.resize(6 * data_.triangle_count());
+        visit_triangles(primitive.mode, indices, [&](uint32_t a, uint32_t b, uint32_t c) {
+            if (mirrored) std::swap(b, c);
+            for (const uint32_t vertex : {a, b, c}) {
+                data_.triangles.push_back(first_vertex_ + vertex);
+                if (!uvs) continue;
+                const std::array<float, 2> uv = uvs->at(vertex);
+                data_.corner_uvs.insert(data_.corner_uvs.end(), uv.begin(), uv.end());
+            }
+        });
+    }
+
     void check_room(uint64_t more_vertices, uint64_t more_triangles, const String& place) const {
-        constexpr uint64_t vertex_bytes = 2 * 3 * sizeof(float) + 4 * (sizeof(float) + sizeof(uint16_t)) + 4;
+        // As if all vertices had colours, and all triangles texture coordinates.
+        constexpr uint64_t vertex_bytes =
+            2 * 3 * sizeof(float) + 4 * (2 * sizeof(float) + sizeof(uint16_t)) + sizeof(uint32_t);
+        constexpr uint64_t triangle_bytes = 3 * sizeof(uint32_t) + 6 * sizeof(float);
         const uint64_t vertices = data_.vertex_count() + more_vertices;
         const uint64_t triangles = data_.triangle_count() + more_triangles;
-        if (vertices > max_bytes || triangles > max_bytes || vertices * vertex_bytes + triangles * 12 > max_bytes)
+        if (vertices > max_bytes || triangles > max_bytes ||
+            vertices * vertex_bytes + triangles * triangle_bytes > max_bytes)
             fail(FLG_ERROR_LIMIT, place, "the skin takes more than the limit of 2 GiB");
     }
 
@@ -161,6 +202,11 @@ private:
             append_binding(joints, weights, v, has_more);
             data_.parts.push_back(parts ? part_at(*parts, v) : material_part);
         }
+        if (!vertices.colors) return;
+        // White, where primitives before this one have no colours.
+        data_.colors.resize(4 * size_t{first_vertex_}, 1.0f);
+        for (uint32_t v = 0; v < count; ++v)
+            for (const float value : vertices.color(v)) data_.colors.push_back(std::clamp(value, 0.0f, 1.0f));
     }
 
     void append_normal(const std::optional<GltfValues>& normals, uint32_t vertex, const Transform& t) {
@@ -270,7 +316,7 @@ private:
                 data_.triangle_parts.clear();
             if (count == 0 || (count > 1 && count <= highest)) return;
             materials_.clear();
-            for (uint64_t i = 0; i < count; ++i) materials_.push_back(read_material(document_, i, "materials"));
+            for (uint64_t i = 0; i < count; ++i) materials_.push_back(material_of(i, "materials"));
         }
         const bool says_color =
             std::any_of(materials_.begin(), materials_.end(), [](const GltfMaterial& m) { return m.says_color; });
@@ -295,11 +341,14 @@ private:
 
     GltfDocument document_;
     GltfNodes nodes_;
+    GltfTextures textures_;
+    LostLooks lost_;
+    GltfMorphReader morphs_;
     std::optional<GltfSkeleton> skeleton_;
     Vector<uint64_t> shown_;
     SkinData data_;
     uint64_t last_node_ = no_node;
-    const Json* last_attributes_ = nullptr;
+    const Json *last_attributes_ = nullptr, *last_targets_ = nullptr;
     uint32_t first_vertex_ = 0;
     bool all_have_parts_ = true;
     Map<uint64_t, uint32_t> part_of_material_;
@@ -384,7 +433,14 @@ public:
     String write() {
         for (const FlgSkinView& mesh : checked_.meshes()) add_mesh(mesh);
         add_materials();
-        for (const FlgSkinAnimation& animation : checked_.animations()) add_animation(animation);
+        for (size_t i = 0; i < checked_.animations().size(); ++i) add_animation(i);
+        for (const FlgMorphAnimation& animation : checked_.morphs().animations()) {
+            if (animation.animation != FLG_NO_INDEX) continue;
+            MorphWriter writer(glb_, checked_.morphs(), skin_, {});
+            add_item(animations_, "{\"name\":" + json_text(animation.name ? animation.name : "morph") +
+                                      ",\"channels\":[" + morph_channel(0) + "],\"samplers\":[" +
+                                      writer.add_sampler(animation) + "]}");
+        }
         const size_t levels = checked_.meshes().size() - 1,
                      first_level_node = first_joint_node + checked_.joint_count();
         String joints, roots, nodes, level_nodes, extensions;
@@ -410,7 +466,7 @@ public:
                      ",\"inverseBindMatrices\":" + number(add_bind_matrices()) + ",\"skeleton\":1,\"joints\":[" +
                      joints + "]}],\"materials\":[" + materials_ + "],";
         if (!animations_.empty()) top += "\"animations\":[" + animations_ + "],";
-        if (!checked_.texture().empty()) top += json_texture();
+        if (!checked_.textures().empty()) top += json_textures();
         if (levels != 0) add_item(extensions, "\"MSFT_lod\"");
         if (checked_.vrm()) add_item(extensions, "\"VRMC_vrm\"");
         if (!extensions.empty()) top += "\"extensionsUsed\":[" + extensions + "],";
@@ -421,11 +477,23 @@ public:
 private:
     void add_mesh(const FlgSkinView& mesh) {
         const TexturedVertices vertices(mesh);
-        add_primitives(mesh, vertices, add_vertices(mesh, vertices));
-        if (checked_.meshes().size() > 1) glb_.end_mesh();
+        const bool is_skin = &mesh == &checked_.meshes()[0];
+        const String attributes = add_vertices(mesh, vertices, is_skin ? checked_.vertex_colors() : nullptr);
+        MorphWriter morphs(glb_, checked_.morphs(), mesh, vertices.sources);
+        add_primitives(mesh, vertices, attributes, is_skin ? morphs.add_targets() : "");
+        const String members = is_skin ? morphs.mesh_members() : "";
+        if (checked_.meshes().size() > 1)
+            glb_.end_mesh(members);
+        else if (!members.empty())
+            glb_.end_mesh(",\"name\":" + json_text(checked_.name()) + members);
     }
 
-    String add_vertices(const FlgSkinView& mesh, const TexturedVertices& vertices) {
+    // Of the node that shows the skin.
+    static String morph_channel(size_t sampler) {
+        return "{\"sampler\":" + number(sampler) + ",\"target\":{\"node\":0,\"path\":\"weights\"}}";
+    }
+
+    String add_vertices(const FlgSkinView& mesh, const TexturedVertices& vertices, const float* colors) {
         const size_t count = vertices.sources.size();
         Vector<float> positions, normals, weights, parts;
         Vector<uint16_t> joints;
@@ -444,6 +512,12 @@ private:
         };
         add("NORMAL", glb_.add_view(normals, 3), glb_float, "VEC3");
         if (!vertices.uvs.empty()) add("TEXCOORD_0", glb_.add_view(vertices.uvs, 2), glb_float, "VEC2");
+        if (colors) {
+            Vector<float> rgba;
+            for (const uint32_t v : vertices.sources)
+                rgba.insert(rgba.end(), colors + 4 * size_t{v}, colors + 4 * size_t{v} + 4);
+            add("COLOR_0", glb_.add_colors(std::move(rgba)), glb_float, "VEC4");
+        }
         add("JOINTS_0", glb_.add_view(std::span<const uint16_t>(joints)), glb_unsigned_short, "VEC4");
         add("WEIGHTS_0", glb_.add_view(weights, 4), glb_float, "VEC4");
         if (mesh.vertex_parts) add("_PART", glb_.add_view(parts, 1), glb_float, "SCALAR");
@@ -471,7 +545,8 @@ private:
         if (!keeps) weights[weights.size() - joints_a_vertex + largest] = static_cast<float>(1 - others);
     }
 
-    void add_primitives(const FlgSkinView& mesh, const TexturedVertices& vertices, const String& attributes) {
+    void add_primitives(const FlgSkinView& mesh, const TexturedVertices& vertices, const String& attributes,
+                        const String& targets) {
         Map<uint32_t, Vector<uint32_t>> indices;  // by part
         for (size_t t = 0; t < mesh.triangle_count; ++t) {
             Vector<uint32_t>& list = indices[checked_.materials().size() > 1 ? part_of_triangle(mesh, t) : 0];
@@ -482,25 +557,36 @@ private:
             const size_t accessor = glb_.add_accessor(glb_.add_view(std::span<const uint32_t>(list)), 0, list.size(),
                                                       glb_unsigned, "SCALAR");
             glb_.add_primitive(attributes, glb_triangles,
-                               ",\"indices\":" + number(accessor) + ",\"material\":" + number(part));
+                               ",\"indices\":" + number(accessor) + ",\"material\":" + number(part) + targets);
         }
     }
 
     void add_materials() {
         const size_t material_count = checked_.materials().size();
-        const bool has_texture = !checked_.texture().empty();
-        if (material_count == 0) materials_ = json_plain_material("surface", has_texture);
-        for (size_t i = 0; i < material_count; ++i)
-            add_item(materials_, json_material(checked_.materials()[i], "part " + number(i), has_texture));
+        if (material_count == 0) materials_ = json_plain_material("surface", checked_.texture_of(material_defaults()));
+        for (size_t i = 0; i < material_count; ++i) {
+            const FlgMeshMaterial& material = checked_.materials()[i];
+            add_item(materials_, json_material(material, "part " + number(i), checked_.texture_of(material)));
+        }
     }
 
-    // At its edge the picture goes on: bodies reach a little beyond their outlines.
-    String json_texture() {
-        constexpr const char* to_edge = "33071";
-        return "\"images\":[{\"bufferView\":" + number(glb_.add_file(checked_.texture())) + ",\"mimeType\":\"image/" +
-               (checked_.has_png() ? "png" : "jpeg") +
-               "\"}],\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" + to_edge +
-               ",\"wrapT\":" + to_edge + "}],\"textures\":[{\"source\":0,\"sampler\":0}],";
+    // One image and one sampler each.
+    String json_textures() {
+        constexpr const char* wraps[] = {"10497", "33071", "33648"};  // by FlgTextureWrap
+        String images, samplers, textures;
+        for (size_t i = 0; i < checked_.textures().size(); ++i) {
+            const FlgTexture& texture = checked_.textures()[i];
+            const Bytes picture{texture.picture, texture.picture_size};
+            const size_t file = is_png(picture) ? glb_.add_file(plain_png(picture)) : glb_.add_file(picture);
+            add_item(images, "{\"bufferView\":" + number(file) + ",\"mimeType\":\"image/" +
+                                 (is_png(picture) ? "png" : "jpeg") + "\"}");
+            add_item(samplers, String("{\"magFilter\":") + (texture.nearest ? "9728" : "9729") +
+                                   ",\"minFilter\":" + (texture.nearest ? "9984" : "9987") +
+                                   ",\"wrapS\":" + wraps[texture.wrap_u] + ",\"wrapT\":" + wraps[texture.wrap_v] + "}");
+            const String name = texture.name ? "\"name\":" + json_text(texture.name) + "," : "";
+            add_item(textures, "{" + name + "\"source\":" + number(i) + ",\"sampler\":" + number(i) + "}");
+        }
+        return "\"images\":[" + images + "],\"samplers\":[" + samplers + "],\"textures\":[" + textures + "],";
     }
 
     size_t add_bind_matrices() {
@@ -532,7 +618,8 @@ private:
         return json + "}";
     }
 
-    void add_animation(const FlgSkinAnimation& animation) {
+    void add_animation(size_t index) {
+        const FlgSkinAnimation& animation = checked_.animations()[index];
         const size_t keys = animation.key_count, joint_count = checked_.joint_count();
         const size_t times = glb_.add_times({animation.times, keys});
         String channels, samplers;
@@ -564,6 +651,11 @@ private:
                     values.push_back(static_cast<float>(value));
             }
             add(j, "translation", values, "VEC3");
+        }
+        for (const FlgMorphAnimation& morph : checked_.morphs().animations()) {
+            if (morph.animation != index) continue;
+            add_item(samplers, MorphWriter(glb_, checked_.morphs(), skin_, {}).add_sampler(morph));
+            add_item(channels, morph_channel(sampler_count));
         }
         const String name = animation.name ? animation.name : "animation";
         add_item(animations_,

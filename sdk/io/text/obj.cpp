@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source: Wavefront's OBJ specification (v, l, f, usemtl; the rest is passed over).
+// Source: Wavefront's OBJ specification (v, vt, l, f, usemtl, mtllib; the rest is passed over).
 //
 // Lines: `l a b c` is a curve; one whose last index equals its first is closed; `l a a` is a curve of one point.
 // Statements of two indices that follow each other and chain (as programs write edge by edge) are joined into one
@@ -9,7 +9,10 @@
 // first face that has them.
 #include "io/text/obj.h"
 
+#include <algorithm>
+
 #include "io/base/polylines.h"
+#include "io/text/mtl.h"
 #include "io/text/text_lines.h"
 
 namespace flg::io {
@@ -178,11 +181,11 @@ void write_obj(const CheckedView& view, FileWriter& file) {
 
 namespace {
 
-constexpr uint32_t no_region = UINT32_MAX;
+constexpr uint32_t no_region = UINT32_MAX, none = UINT32_MAX;
 
 class ObjMeshReader {
 public:
-    explicit ObjMeshReader(const Origin& origin) : origin_(origin) {}
+    ObjMeshReader(const Path& path, const Origin& origin) : origin_(origin), library_(path) {}
 
     MeshData read(std::string_view text) {
         data_.format = "obj";
@@ -200,10 +203,13 @@ public:
         }
         end_region();
         if (regions_.size() == 1) data_.regions.clear();
+        find_materials();
+        place_uvs();
         if (!colors_.empty()) {
             colors_.resize(4 * data_.vertex_count(), 1.0f);
             data_.columns.push_back({FLG_ATTRIBUTE_COLOR, 4, std::move(colors_)});
         }
+        data_.warn(lost_uvs_, "line", "with texture coordinates that are not there");
         data_.warn(lines_, "line", "of lines or points (`l`, `p`), left out: only faces are read");
         return std::move(data_);
     }
@@ -217,8 +223,14 @@ private:
             read_face(cursor, line);
         } else if (keyword == "usemtl") {
             end_region();
-            material_ = cursor.word();
+            material_ = cursor.rest();
             region_ = no_region;
+        } else if (keyword == "vt") {
+            // They go up; ours go down.
+            const float u = cursor.number("u"), v = cursor.more() ? cursor.number("v") : 0;
+            uvs_.insert(uvs_.end(), {u, 1 - v});
+        } else if (keyword == "mtllib") {
+            library_.read(cursor.rest());
         } else if (keyword == "l" || keyword == "p") {
             lines_.add(line);
         }
@@ -236,10 +248,26 @@ private:
         colors_.insert(colors_.end(), {rest[0], rest[1], rest[2], 1.0f});
     }
 
+    // Of a corner, `v/vt...`; `none` if it has none.
+    uint32_t uv_of(std::string_view word, uint64_t line) {
+        const size_t slash = word.find('/');
+        if (slash == word.npos || slash + 1 == word.size() || word[slash + 1] == '/') return none;
+        int64_t value = 0;
+        const char* const begin = word.data() + slash + 1;
+        const auto [stop, error] = std::from_chars(begin, word.data() + word.size(), value);
+        const int64_t index = value < 0 ? static_cast<int64_t>(uvs_.size() / 2) + value : value - 1;
+        if (error == std::errc{} && index >= 0 && index < int64_t{none}) return static_cast<uint32_t>(index);
+        lost_uvs_.add(line);
+        return none;
+    }
+
     void read_face(LineCursor& cursor, uint64_t line) {
         corners_.clear();
+        face_uvs_.clear();
         while (cursor.more()) {
-            const uint32_t index = read_obj_index(cursor.word(), data_.vertex_count(), line);
+            const std::string_view word = cursor.word();
+            face_uvs_.push_back(uv_of(word, line));
+            const uint32_t index = read_obj_index(word, data_.vertex_count(), line);
             if (index > largest_index_ || largest_line_ == 0) {
                 largest_index_ = index;
                 largest_line_ = line;
@@ -252,7 +280,40 @@ private:
         if (region_ == no_region) {
             region_ = regions_.try_emplace(material_, static_cast<uint32_t>(regions_.size())).first->second;
         }
+        // Up to the last that has some.
+        if (std::any_of(face_uvs_.begin(), face_uvs_.end(), [](uint32_t uv) { return uv != none; })) {
+            corner_uvs_.resize(3 * data_.triangle_count(), none);
+            for (size_t k = 2; k < face_uvs_.size(); ++k)
+                corner_uvs_.insert(corner_uvs_.end(), {face_uvs_[0], face_uvs_[k - 1], face_uvs_[k]});
+        }
         data_.add_polygon(corners_);
+    }
+
+    // Texture coordinates may stand behind the faces that name them.
+    void place_uvs() {
+        if (corner_uvs_.empty() || uvs_.empty()) return;
+        data_.corner_uvs.resize(6 * data_.triangle_count());
+        for (size_t c = 0; c < corner_uvs_.size(); ++c) {
+            const size_t uv = corner_uvs_[c];
+            if (uv == none) continue;
+            if (uv >= uvs_.size() / 2)
+                lost_uvs_.add(0);
+            else
+                std::copy_n(&uvs_[2 * uv], 2, &data_.corner_uvs[2 * c]);
+        }
+    }
+
+    // By region, where a library knows one of them.
+    void find_materials() {
+        Vector<String> names(regions_.size());
+        bool says_color = false;
+        for (const auto& [name, region] : regions_) {
+            names[region] = name;
+            says_color = says_color || library_.says_color(name);
+        }
+        for (const String& name : names)
+            if (says_color) data_.materials.push_back(library_.find(name));
+        data_.textures = library_.take(data_.warnings);
     }
 
     // The triangles since the last material are its.
@@ -269,13 +330,16 @@ private:
     String material_;  // of the next face; what comes before the first `usemtl` is nameless
     uint32_t region_ = no_region;
     Map<String, uint32_t> regions_;
-    Tally lines_;
+    MtlLibrary library_;
+    Vector<float> uvs_;
+    Vector<uint32_t> face_uvs_, corner_uvs_;  // by corner: a pair of `uvs_`, or none
+    Tally lines_, lost_uvs_;
 };
 
 }  // namespace
 
-MeshData read_obj_mesh(std::string_view text, const Origin& origin) {
-    return ObjMeshReader(origin).read(text);
+MeshData read_obj_mesh(std::string_view text, const Path& path, const Origin& origin) {
+    return ObjMeshReader(path, origin).read(text);
 }
 
 void write_obj_mesh(const CheckedMesh& mesh, FileWriter& file) {

@@ -16,7 +16,8 @@ namespace flg::io {
 CurveData read_obj(std::string_view text, const Origin& origin);
 void write_obj(const CheckedView& view, FileWriter& file);
 
-MeshData read_obj_mesh(std::string_view text, const Origin& origin);
+// `path`: where the text is from; materials lie beside it.
+MeshData read_obj_mesh(std::string_view text, const Path& path, const Origin& origin);
 void write_obj_mesh(const CheckedMesh& mesh, FileWriter& file);
 
 }  // namespace flg::io

@@ -445,6 +445,10 @@ private:
         Vector<VertexTarget> targets;
         targets.reserve(element.properties.size());
         for (const PlyProperty& property : element.properties) targets.push_back(target(property));
+        constexpr std::string_view uvs[] = {"s", "u", "texture_u"};
+        for (const PlyProperty& property : element.properties)
+            if (std::find(std::begin(uvs), std::end(uvs), property.name) != std::end(uvs))
+                data_.warnings.push_back("texture coordinates of .ply files are left out");
         for (uint64_t row = 0; row < element.count; ++row) {
             rows_.begin_row(element);
             for (size_t i = 0; i < targets.size(); ++i) {

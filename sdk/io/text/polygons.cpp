@@ -6,6 +6,7 @@
 // those of more than max_corners keep a fan of what is left.
 #include "io/text/polygons.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,6 +19,7 @@ namespace {
 constexpr uint32_t max_corners = 1024;
 
 using Point = std::array<double, 2>;
+using Uv = std::array<float, 2>;
 
 // Twice the area, positive if counter-clockwise.
 double turn(const Point& a, const Point& b, const Point& c) {
@@ -54,6 +56,13 @@ private:
         corners_.push_back(triangle[0]);
         for (uint32_t k = 0; k + 2 < fan.corners; ++k) corners_.push_back(triangle[3 * size_t{k} + 1]);
         corners_.push_back(triangle[3 * size_t{fan.corners - 3} + 2]);
+        uvs_.clear();
+        // The last triangles may have none.
+        if (data_.corner_uvs.size() < 6 * (size_t{fan.first} + fan.corners - 2)) return;
+        const auto* uvs = reinterpret_cast<const Uv*>(data_.corner_uvs.data()) + 3 * size_t{fan.first};
+        uvs_.push_back(uvs[0]);
+        for (uint32_t k = 0; k + 2 < fan.corners; ++k) uvs_.push_back(uvs[3 * size_t{k} + 1]);
+        uvs_.push_back(uvs[3 * size_t{fan.corners - 3} + 2]);
     }
 
     Vec3 position(size_t corner) const {
@@ -95,8 +104,12 @@ private:
 
     void clip(const PolygonFan& fan) {
         uint32_t* out = &data_.triangles[3 * size_t{fan.first}];
+        float* uv_out = uvs_.empty() ? nullptr : &data_.corner_uvs[6 * size_t{fan.first}];
         const auto emit = [&](size_t a, size_t b, size_t c) {
-            for (size_t corner : {a, b, c}) *out++ = corners_[left_[corner]];
+            for (size_t corner : {a, b, c}) {
+                *out++ = corners_[left_[corner]];
+                if (uv_out) uv_out = std::copy_n(uvs_[left_[corner]].data(), 2, uv_out);
+            }
         };
         left_.resize(corners_.size());
         for (uint32_t k = 0; k < left_.size(); ++k) left_[k] = k;
@@ -131,6 +144,7 @@ private:
 
     MeshData& data_;
     Vector<uint32_t> corners_;  // vertices
+    Vector<Uv> uvs_;            // of the corners, or empty
     Vector<Point> points_;      // of the corners
     Vector<uint32_t> left_;     // corners that are not cut off
     Tally long_, crossed_;

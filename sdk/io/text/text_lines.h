@@ -55,6 +55,13 @@ public:
         while (at_ != end_ && !is_blank(*at_)) ++at_;
         return {start, static_cast<size_t>(at_ - start)};
     }
+    // All that is left, without blanks around it.
+    std::string_view rest() {
+        if (!more()) return {};
+        const char* end = end_;
+        while (is_blank(end[-1])) --end;
+        return {at_, static_cast<size_t>(end - at_)};
+    }
     char peek() const { return *at_; }
 
     // A position's coordinate or a radius: finite and at most 1e30 in size.

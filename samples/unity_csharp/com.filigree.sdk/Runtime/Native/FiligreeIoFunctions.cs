@@ -29,13 +29,15 @@
 //   .ply          reads ascii and binary, writes little-endian binary. Vertices: positions, colours (0 to 1 if they are
 //                 integers), normals and the columns this library writes, by the names below. Faces: the list
 //                 vertex_indices, and integer properties, of which `region` becomes the view's regions; or `tristrips`.
-//                 Other elements and properties are skipped
+//                 Other elements and properties are skipped, texture coordinates with a warning
 //   .obj          faces (`f`) and positions with colours (`v x y z r g b`). Regions are materials (`usemtl`), numbered
-//                 from 0 in order of first use, and written as such. Texture coordinates and normals are skipped
+//                 from 0 in order of first use, and written as such. Texture coordinates (`vt`) are read, and materials
+//                 of `mtllib` files below the file's folder: Kd, map_Kd, Pr, Pm. Normals are skipped
 //   .off          also COFF, NOFF and CNOFF; colours (0 to 255 if one is above 1) but no regions
 //   .gltf .glb    TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN with COLOR_0, placed by the scene's nodes; regions are
-//                 materials, numbered from 0 in order of first use; their factors are read, textures skipped. Reads
-//                 KHR_mesh_quantization. Writes .glb. Limits as for curves
+//                 materials, numbered from 0 in order of first use; their factors are read, and their base colour
+//                 textures with TEXCOORD_0. Reads KHR_mesh_quantization and KHR_texture_transform. What is left out is
+//                 named in warnings. Writes .glb. Limits as for curves
 // Large worlds: .obj, .off, .xyz and .ply (doubles and text) are read to all their digits, .gltf and .glb as precisely
 // as their nodes place them. Where most edges are shorter than 64 times the spacing of floats there, views get an
 // origin: the middle of all, or the first node's place, in whole metres. Boxes in infos are relative to it. Views with
@@ -150,16 +152,27 @@ namespace Filigree
             FlgMeshFile file, uint column, FlgMeshFaceColumn* out_column);
 
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTextureInit(FlgTexture* texture, uint struct_size);
+
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint struct_size);
 
         /// <summary>
-        /// The material of a region in a .gltf or .glb file, 0 to the info's material_count - 1. Missing factors get
-        /// glTF's defaults: white, metallic 1, roughness 1. Lines are read only from this library's files: glTF has
-        /// none. Its name lives until the file is released.
+        /// The material of a region in a .gltf or .glb file, or of one in an .obj file's `mtllib`, 0 to the info's
+        /// material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files
+        /// metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until the file is
+        /// released.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetMaterial(
             FlgMeshFile file, uint material, FlgMeshMaterial* out_material);
+
+        /// <summary>
+        /// A texture of a material, 0 to the info's texture_count - 1. Its picture is not decoded; it lives until the
+        /// file is released.
+        /// </summary>
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgMeshFileGetTexture(FlgMeshFile file, uint texture, FlgTexture* out_texture);
 
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint struct_size);
@@ -195,12 +208,13 @@ namespace Filigree
         /// moves as before. The keys of all channels of an animation are merged. Joints come parents first; joints
         /// below other nodes attach to the nearest joint above. Weights are sorted and normalized to sum 1; only the
         /// first four joints of a vertex are read. Missing normals are computed. Parts come from the column _PART, else
-        /// from the materials. Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an
-        /// animation moves away from their parents, roots that move differently, keys that are not LINEAR. Also
-        /// refused: missing, out-of-range or non-finite joints or weights, cycles of nodes, inconsistent counts. If the
-        /// scene has no skin the result is FlgResult.Ok and `out_file` null. `desc` may be null: all defaults. Cost:
-        /// one core, about 0.4 us a vertex. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit (2
-        /// GiB a file and for the result; 65535 joints).
+        /// from the materials. TEXCOORD_0 becomes the view's corner_uvs. Morph targets are read if all primitives have
+        /// as many; their animations must be LINEAR. Refused, as FlgSkinAnimation cannot represent them: scaled joints,
+        /// joints that an animation moves away from their parents, roots that move differently, keys that are not
+        /// LINEAR. Also refused: missing, out-of-range or non-finite joints or weights, cycles of nodes, inconsistent
+        /// counts. If the scene has no skin the result is FlgResult.Ok and `out_file` null. `desc` may be null: all
+        /// defaults. Cost: one core, about 0.4 us a vertex. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat,
+        /// FlgResult.ErrorLimit (2 GiB a file and for the result; 65535 joints).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileRead(byte* path, FlgSkinFileReadDesc* desc, FlgSkinFile* out_file);
@@ -222,6 +236,32 @@ namespace Filigree
         public static extern FlgResult flgSkinFileGetMaterial(
             FlgSkinFile file, uint material, FlgMeshMaterial* out_material);
 
+        /// <summary>A texture of a material, 0 to the info's texture_count - 1. As flgMeshFileGetTexture.</summary>
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSkinFileGetTexture(FlgSkinFile file, uint texture, FlgTexture* out_texture);
+
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgMorphTargetInit(FlgMorphTarget* target, uint struct_size);
+
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgMorphAnimationInit(FlgMorphAnimation* animation, uint struct_size);
+
+        /// <summary>
+        /// A morph target, 0 to the info's morph_count - 1. Its arrays live until the file is released; `normal_moves`
+        /// are 0 where the file has none.
+        /// </summary>
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSkinFileGetMorphTarget(
+            FlgSkinFile file, uint target, FlgMorphTarget* out_target);
+
+        /// <summary>
+        /// What animates morph targets, 0 to the info's morph_animation_count - 1. Its arrays live until the file is
+        /// released.
+        /// </summary>
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSkinFileGetMorphAnimation(
+            FlgSkinFile file, uint animation, FlgMorphAnimation* out_animation);
+
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint struct_size);
 
@@ -242,14 +282,16 @@ namespace Filigree
         /// <summary>
         /// Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the
         /// mesh, a node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have
-        /// POSITION, NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART and, with corner_uvs, TEXCOORD_0; vertices
-        /// whose corners differ in them are there several times. Levels of detail are meshes of the same skin, named
-        /// NAME_LOD0, NAME_LOD1, ...; the first is in the scene and refers to the others by MSFT_lod, so programs that
-        /// do not know it show the finest alone. Rotations that stay at identity are omitted. Refuses what glTF
-        /// forbids: joints out of range or twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions
-        /// that are not of length 1 within 0.001, times that do not rise, values that are not finite, parents that do
-        /// not come first. Cost: about 0.8 us a vertex. Errors: FlgResult.ErrorInvalidArgument, FlgResult.ErrorFormat
-        /// for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
+        /// POSITION, NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART, with corner_uvs TEXCOORD_0, with
+        /// vertex_colors COLOR_0. They keep their order; of those whose corners differ in texture coordinates, copies
+        /// follow after all. Morph targets have POSITION and NORMAL, sparse where few vertices move; their weights are
+        /// animated at the mesh's node. Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1, ...;
+        /// the first is in the scene and refers to the others by MSFT_lod, so programs that do not know it show the
+        /// finest alone. Rotations that stay at identity are omitted. Refuses what glTF forbids: joints out of range or
+        /// twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are not of length 1 within
+        /// 0.001, times that do not rise, values that are not finite, parents that do not come first. Cost: about 0.8
+        /// us a vertex. Errors: FlgResult.ErrorInvalidArgument, FlgResult.ErrorFormat for another extension,
+        /// FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileWrite(byte* path, FlgSkinFileWriteDesc* desc);
@@ -380,6 +422,27 @@ namespace Filigree
         {
             FlgMeshFaceColumn made;
             flgMeshFaceColumnInit(&made, (uint)sizeof(FlgMeshFaceColumn));
+            return made;
+        }
+
+        public static FlgTexture flgTextureDefaults()
+        {
+            FlgTexture made;
+            flgTextureInit(&made, (uint)sizeof(FlgTexture));
+            return made;
+        }
+
+        public static FlgMorphTarget flgMorphTargetDefaults()
+        {
+            FlgMorphTarget made;
+            flgMorphTargetInit(&made, (uint)sizeof(FlgMorphTarget));
+            return made;
+        }
+
+        public static FlgMorphAnimation flgMorphAnimationDefaults()
+        {
+            FlgMorphAnimation made;
+            flgMorphAnimationInit(&made, (uint)sizeof(FlgMorphAnimation));
             return made;
         }
 

@@ -209,6 +209,26 @@ namespace Filigree
     }
 
     /// <summary>
+    /// A picture that colours triangles, by the texture coordinates of their corners: 0 0 is its upper left, 1 1 its
+    /// lower right.
+    /// </summary>
+    public unsafe partial struct FlgTexture
+    {
+        /// <summary>the same of all textures of a file</summary>
+        public uint struct_size;
+        /// <summary>nonzero: texels are not blended. Default 0</summary>
+        public uint nearest;
+        /// <summary>Default FlgTextureWrap.Repeat</summary>
+        public FlgTextureWrap wrap_u;
+        public FlgTextureWrap wrap_v;
+        /// <summary>a PNG or JPEG file, picture_size bytes; sRGB</summary>
+        public byte* picture;
+        public ulong picture_size;
+        /// <summary>UTF-8, at most 255 bytes; null: none. Default null</summary>
+        public byte* name;
+    }
+
+    /// <summary>
     /// A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are
     /// linear RGB.
     /// </summary>
@@ -230,6 +250,10 @@ namespace Filigree
         /// <summary>of these lines, 0 to 64 pixels. Default 0: none</summary>
         public float border_width_px;
         public uint reserved2;
+        /// <summary>of the file's textures: its colour, times the material's. Default FLG_NO_INDEX: none</summary>
+        public uint texture;
+        /// <summary>nonzero: seen from behind too. Default 0</summary>
+        public uint two_sided;
     }
 
     public unsafe partial struct FlgMeshFileInfo
@@ -251,14 +275,20 @@ namespace Filigree
         public fixed float box_max[3];
         public uint warning_count;
         /// <summary>
-        /// one per region of the view (one alone if that has no regions), if at least one has a colour; else 0
+        /// one per region of the view (one alone if that has no regions), if at least one has a colour or a texture;
+        /// else 0
         /// </summary>
         public uint material_count;
         /// <summary>sentences; live until the file is released</summary>
         public byte** warnings;
         /// <summary>at most 16; 0 for other formats than .ply</summary>
         public uint face_column_count;
-        public uint reserved;
+        public uint texture_count;
+        /// <summary>
+        /// 6 per triangle: texture coordinates of its corners, 0 0 where some have none; live until the file is
+        /// released. Null: the file has none
+        /// </summary>
+        public float* corner_uvs;
     }
 
     public unsafe partial struct FlgMeshFileWriteDesc
@@ -287,6 +317,46 @@ namespace Filigree
         public FlgFileHooks* hooks;
     }
 
+    /// <summary>
+    /// A shape that a mesh takes as far as its weight says: vertices move by `moves`, times the weight, before joints
+    /// move them.
+    /// </summary>
+    public unsafe partial struct FlgMorphTarget
+    {
+        /// <summary>the same of all targets of a mesh</summary>
+        public uint struct_size;
+        public uint reserved;
+        /// <summary>UTF-8, at most 255 bytes; null: `target N`. Default null</summary>
+        public byte* name;
+        /// <summary>3 per vertex, metres</summary>
+        public float* moves;
+        /// <summary>3 per vertex: what is added to normals. Null: found from how triangles turn. Default null</summary>
+        public float* normal_moves;
+    }
+
+    /// <summary>
+    /// Weights of all morph targets over time. Between keys they change evenly; before the first and after the last key
+    /// they hold.
+    /// </summary>
+    public unsafe partial struct FlgMorphAnimation
+    {
+        /// <summary>the same of all of a mesh</summary>
+        public uint struct_size;
+        /// <summary>at least 1</summary>
+        public uint key_count;
+        /// <summary>UTF-8; null: "morph". Of one that belongs to a skin's animation that one's name counts</summary>
+        public byte* name;
+        /// <summary>seconds, starting at 0 or later; strictly ascending</summary>
+        public float* times;
+        /// <summary>for each key one per target; finite</summary>
+        public float* weights;
+        /// <summary>
+        /// of the skin's animations: joints and shapes move together, as one animation. Default FLG_NO_INDEX: by itself
+        /// </summary>
+        public uint animation;
+        public uint reserved;
+    }
+
     public unsafe partial struct FlgSkinFileInfo
     {
         public uint struct_size;
@@ -300,9 +370,13 @@ namespace Filigree
         public uint animation_count;
         /// <summary>sentences; live until the file is released</summary>
         public byte** warnings;
-        /// <summary>one per part, or one for all, if at least one has a colour; else 0</summary>
+        /// <summary>one per part, or one for all, if at least one has a colour or a texture; else 0</summary>
         public uint material_count;
-        public uint reserved;
+        public uint texture_count;
+        /// <summary>4 per vertex, linear RGBA; live until the file is released. Null: none</summary>
+        public float* vertex_colors;
+        public uint morph_count;
+        public uint morph_animation_count;
     }
 
     /// <summary>
@@ -363,7 +437,25 @@ namespace Filigree
         public FlgSkinView* levels;
         /// <summary>up to 16. Default 0</summary>
         public uint level_count;
-        public uint reserved2;
+        /// <summary>default 0</summary>
+        public uint texture_count;
+        /// <summary>
+        /// what materials refer to, in place of `texture`; the skin and its levels need corner_uvs. Default null
+        /// </summary>
+        public FlgTexture* textures;
+        /// <summary>
+        /// 4 per vertex of the skin, linear RGBA, 0 to 1: times the materials' colour. Levels of detail have none.
+        /// Default null
+        /// </summary>
+        public float* vertex_colors;
+        /// <summary>shapes of the skin; levels of detail have none. Default null</summary>
+        public FlgMorphTarget* morphs;
+        /// <summary>default null</summary>
+        public FlgMorphAnimation* morph_animations;
+        /// <summary>up to 65535. Default 0</summary>
+        public uint morph_count;
+        /// <summary>default 0</summary>
+        public uint morph_animation_count;
     }
 
     public unsafe partial struct FlgMotionFileWriteDesc

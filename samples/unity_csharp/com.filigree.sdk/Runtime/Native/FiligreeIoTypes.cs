@@ -27,6 +27,17 @@ namespace Filigree
         Tube = 2,
     }
 
+    /// <summary>How a texture goes on beyond its picture.</summary>
+    public enum FlgTextureWrap
+    {
+        /// <summary>FLG_TEXTURE_WRAP_REPEAT</summary>
+        Repeat = 0,
+        /// <summary>FLG_TEXTURE_WRAP_CLAMP: by its edge</summary>
+        Clamp = 1,
+        /// <summary>FLG_TEXTURE_WRAP_MIRROR: repeated, every other one mirrored</summary>
+        Mirror = 2,
+    }
+
     /// <summary>Curves read from a file, with their memory.</summary>
     public partial struct FlgCurveFile
     {

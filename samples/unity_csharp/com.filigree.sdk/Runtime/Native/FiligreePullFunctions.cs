@@ -6,8 +6,9 @@
 //
 // Pull         What pulling needs of a mesh alone. Made once.
 // Pulled       The mesh as handles pull it. Made again for each frame, from the one before.
+// Keys         Positions of handles over time, recorded or made: a function of plain structs, no object.
 //
-// Neither changes once ready. Both keep their inputs alive.
+// Neither Pull nor Pulled changes once ready. Both keep their inputs alive.
 
 using System;
 using System.Runtime.InteropServices;
@@ -61,6 +62,19 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPulledRelease(FlgContext context, FlgPulled pulled);
 
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgPullKeysInit(FlgPullKeys* keys, uint struct_size);
+
+        /// <summary>
+        /// [any thread] Where handles are at a time, for FlgPullHandle::position: at their keys exactly, smooth in
+        /// between (velocities are continuous), at rest where two keys are at one place; before the first key and after
+        /// the last where these are. `out_positions`: 3 per handle, metres. The same for the same keys, so a record can
+        /// be played again, at any rate: the mesh too is the same if its frames are at the same times. Cost: 0.1 us a
+        /// handle, and checking all keys.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgPullKeysSample(FlgPullKeys* keys, double time, float* out_positions);
+
         public static FlgPullDesc flgPullDefaults()
         {
             FlgPullDesc made;
@@ -86,6 +100,13 @@ namespace Filigree
         {
             FlgPulledView made;
             flgPulledViewInit(&made, (uint)sizeof(FlgPulledView));
+            return made;
+        }
+
+        public static FlgPullKeys flgPullKeysDefaults()
+        {
+            FlgPullKeys made;
+            flgPullKeysInit(&made, (uint)sizeof(FlgPullKeys));
             return made;
         }
     }

@@ -71,4 +71,20 @@ namespace Filigree
         /// <summary>metres: what positions are relative to: the mesh's origin</summary>
         public fixed double origin[3];
     }
+
+    /// <summary>Positions of handles over time: a record of what somebody dragged, or keyframes.</summary>
+    public unsafe partial struct FlgPullKeys
+    {
+        public uint struct_size;
+        /// <summary>1 to FLG_PULL_MAX_HANDLES</summary>
+        public uint handle_count;
+        /// <summary>
+        /// handle_count + 1, from 0: the keys of handle h are offsets[h] to offsets[h + 1] - 1, at least one
+        /// </summary>
+        public uint* offsets;
+        /// <summary>seconds, one per key, rising for each handle</summary>
+        public double* times;
+        /// <summary>3 per key, metres</summary>
+        public float* positions;
+    }
 }

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+// Texture coordinates, textures and materials of meshes, as files have them; what is left out is named.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/skin_files.h"
+
+namespace flg::test {
+namespace {
+
+// One red pixel.
+constexpr uint8_t picture[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+                               0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00,
+                               0x00, 0x90, 0x77, 0x53, 0xde, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78,
+                               0xda, 0x63, 0x38, 0x21, 0xa7, 0x01, 0x00, 0x02, 0xc0, 0x01, 0x0f, 0xe4, 0xbd, 0x52,
+                               0x15, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+const std::string png(reinterpret_cast<const char*>(picture), sizeof picture);
+
+struct Mesh {
+    explicit Mesh(const std::string& path) {
+        view.struct_size = sizeof view;
+        result = flgMeshFileRead(path.c_str(), nullptr, &file);
+        if (result != FLG_OK) {
+            warnings = flgIoErrorGetMessage();
+            return;
+        }
+        EXPECT_EQ(flgMeshFileGetView(file, &view), FLG_OK);
+        EXPECT_EQ(flgMeshFileGetInfo(file, &info), FLG_OK);
+        for (uint32_t i = 0; i < info.warning_count; ++i) warnings += std::string(info.warnings[i]) + "\n";
+    }
+    ~Mesh() { flgMeshFileRelease(file); }
+    std::vector<float> uvs() const {
+        if (!info.corner_uvs) return {};
+        return {info.corner_uvs, info.corner_uvs + size_t{6} * view.triangle_count};
+    }
+    FlgMeshMaterial material(uint32_t index) const {
+        FlgMeshMaterial out = flgMeshMaterialDefaults();
+        EXPECT_EQ(flgMeshFileGetMaterial(file, index, &out), FLG_OK) << flgIoErrorGetMessage();
+        return out;
+    }
+    FlgTexture texture(uint32_t index) const {
+        FlgTexture out = flgTextureDefaults();
+        EXPECT_EQ(flgMeshFileGetTexture(file, index, &out), FLG_OK) << flgIoErrorGetMessage();
+        return out;
+    }
+    FlgResult result;
+    FlgMeshFile file = nullptr;
+    FlgMeshView view = {};
+    FlgMeshFileInfo info = flgMeshFileInfoDefaults();
+    std::string warnings;
+};
+
+constexpr const char* square =
+    "mtllib look of it.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 1 0.75\nvt 0 0.75\n"
+    "usemtl painted wall\nf 1/1 2/2 3/3 4/4\nusemtl bare\nf 2 5 3\n";
+constexpr const char* look =
+    "newmtl painted wall\nKd 0.5 0.25 1\nPr 0.3\nmap_Kd -clamp on pictures\\red.png\nnewmtl bare\nKd 0 1 0\nPm 1\n";
+
+TEST(MeshLooks, ObjHasTextureCoordinatesAndMaterials) {
+    const Folder folder;
+    folder.put("pictures/red.png", png);
+    folder.put("look of it.mtl", look);
+    const Mesh mesh(folder.put("square.obj", square));
+    ASSERT_EQ(mesh.result, FLG_OK) << mesh.warnings;
+    EXPECT_EQ(mesh.warnings, "");
+    ASSERT_EQ(mesh.view.vertex_count, 5u) << "corners, not vertices, have texture coordinates";
+    EXPECT_EQ(mesh.uvs(), std::vector<float>({0, 1, 1, 1, 1, 0.25f, 0, 1, 1, 0.25f, 0, 0.25f, 0, 0, 0, 0, 0, 0}));
+    ASSERT_EQ(mesh.info.material_count, 2u);
+    EXPECT_STREQ(mesh.material(0).name, "painted wall");
+    EXPECT_EQ(mesh.material(0).color[1], 0.25f);
+    EXPECT_EQ(mesh.material(0).roughness, 0.3f);
+    EXPECT_EQ(mesh.material(0).texture, 0u);
+    EXPECT_EQ(mesh.material(1).metallic, 1);
+    EXPECT_EQ(mesh.material(1).texture, FLG_NO_INDEX);
+    ASSERT_EQ(mesh.info.texture_count, 1u);
+    const FlgTexture texture = mesh.texture(0);
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(texture.picture), texture.picture_size), png);
+    EXPECT_EQ(texture.wrap_u, FLG_TEXTURE_WRAP_REPEAT);
+    FlgTexture none = flgTextureDefaults();
+    EXPECT_EQ(flgMeshFileGetTexture(mesh.file, 1, &none), FLG_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(MeshLooks, WhatAnObjLacksIsNamed) {
+    const Folder folder;
+    const Mesh alone(folder.put("square.obj", square));
+    ASSERT_EQ(alone.result, FLG_OK);
+    EXPECT_NE(alone.warnings.find("the materials of 'look of it.mtl' can't be read"), std::string::npos);
+    EXPECT_EQ(alone.info.material_count, 0u);
+    EXPECT_EQ(alone.uvs().size(), 18u);
+    folder.put("look of it.mtl", look);
+    const Mesh bare((folder.at("square.obj")));
+    EXPECT_NE(bare.warnings.find("red.png' can't be read"), std::string::npos) << bare.warnings;
+    EXPECT_EQ(bare.info.material_count, 2u);
+    EXPECT_EQ(bare.info.texture_count, 0u);
+    folder.put("look of it.mtl", "newmtl bare\nmap_Kd ../outside.png\n");
+    EXPECT_NE(Mesh(folder.at("square.obj")).warnings.find("outside.png' can't be read"), std::string::npos);
+    const Mesh missing(folder.put("uv.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/9 3/x\n"));
+    ASSERT_EQ(missing.result, FLG_OK);
+    EXPECT_NE(missing.warnings.find("texture coordinates that are not there"), std::string::npos);
+    EXPECT_EQ(missing.uvs(), std::vector<float>({0, 1, 0, 0, 0, 0}));
+}
+
+// Triangles of concave faces take their corners' texture coordinates along.
+TEST(MeshLooks, ConcaveFacesKeepTheirTextureCoordinates) {
+    const Folder folder;
+    const Mesh mesh(folder.put("arrow.obj",
+                               "v 0 0 0\nv 1 0.5 0\nv 0 1 0\nv 0.4 0.5 0\nvt 0 0\nvt 1 0.5\nvt 0 1\nvt 0.4 0.5\n"
+                               "f 4/4 1/1 2/2 3/3\nf 1/1 2/2 3/3 4/4\n"));
+    ASSERT_EQ(mesh.result, FLG_OK);
+    const std::vector<float> uvs = mesh.uvs();
+    for (size_t c = 0; c < uvs.size() / 2; ++c) {
+        const float* p = mesh.view.columns[0].data + size_t{3} * mesh.view.triangles[c];
+        EXPECT_EQ(uvs[2 * c], p[0]);
+        EXPECT_NEAR(uvs[2 * c + 1], 1 - p[1], 1e-6f);
+    }
+}
+
+// A skin's file is a mesh's too: the same looks, read by both readers.
+TEST(MeshLooks, GltfHasTexturesOfMaterials) {
+    const Folder folder;
+    const std::string path = folder.at("skin.glb");
+    TestSkin skin = bar();
+    FlgSkinView view = skin.view();
+    std::vector<float> uvs;
+    for (uint32_t c = 0; c < 3 * view.triangle_count; ++c)
+        for (size_t k = 0; k < 2; ++k) uvs.push_back(skin.positions[3 * view.triangles[c] + k] * 0.125f);
+    std::vector<float> colors;
+    for (size_t v = 0; v < skin.vertex_count(); ++v) colors.insert(colors.end(), {0.25f, 0.5f, 0.75f, 1});
+    view.corner_uvs = uvs.data();
+    FlgTexture textures[2] = {flgTextureDefaults(), flgTextureDefaults()};
+    for (FlgTexture& texture : textures) {
+        texture.picture = picture;
+        texture.picture_size = sizeof picture;
+    }
+    textures[1].wrap_u = FLG_TEXTURE_WRAP_CLAMP;
+    textures[1].wrap_v = FLG_TEXTURE_WRAP_MIRROR;
+    textures[1].nearest = 1;
+    textures[1].name = "second";
+    FlgMeshMaterial material = flgMeshMaterialDefaults();
+    material.texture = 1;
+    material.two_sided = 1;
+    FlgSkinFileWriteDesc desc = {};
+    ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
+    desc.skin = &view;
+    desc.textures = textures;
+    desc.texture_count = 2;
+    desc.materials = &material;
+    desc.material_count = 1;
+    desc.vertex_colors = colors.data();
+    ASSERT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
+
+    const Mesh mesh(path);
+    EXPECT_EQ(mesh.warnings, "");
+    EXPECT_EQ(mesh.uvs(), uvs);
+    ASSERT_EQ(mesh.info.texture_count, 1u) << "the other is not used";
+    EXPECT_EQ(mesh.material(0).texture, 0u);
+    EXPECT_EQ(mesh.material(0).two_sided, 1u);
+    EXPECT_EQ(mesh.texture(0).wrap_u, FLG_TEXTURE_WRAP_CLAMP);
+    EXPECT_EQ(mesh.texture(0).wrap_v, FLG_TEXTURE_WRAP_MIRROR);
+    EXPECT_EQ(mesh.texture(0).nearest, 1u);
+    EXPECT_STREQ(mesh.texture(0).name, "second");
+    EXPECT_EQ(mesh.view.column_count, 3u) << "positions, colours, normals";
+
+    FlgSkinFile file = nullptr;
+    ASSERT_EQ(flgSkinFileRead(path.c_str(), nullptr, &file), FLG_OK) << flgIoErrorGetMessage();
+    FlgSkinView read = {};
+    read.struct_size = sizeof read;
+    FlgSkinFileInfo info = flgSkinFileInfoDefaults();
+    ASSERT_EQ(flgSkinFileGetView(file, &read), FLG_OK);
+    ASSERT_EQ(flgSkinFileGetInfo(file, &info), FLG_OK);
+    ASSERT_NE(read.corner_uvs, nullptr);
+    EXPECT_TRUE(std::equal(uvs.begin(), uvs.end(), read.corner_uvs));
+    ASSERT_NE(info.vertex_colors, nullptr);
+    EXPECT_TRUE(std::equal(colors.begin(), colors.end(), info.vertex_colors));
+    ASSERT_EQ(info.texture_count, 1u);
+    FlgTexture shown = flgTextureDefaults();
+    ASSERT_EQ(flgSkinFileGetTexture(file, 0, &shown), FLG_OK);
+    EXPECT_EQ(shown.picture_size, sizeof picture);
+    flgSkinFileRelease(file);
+
+    // Refusals.
+    const auto refusal = [&] {
+        EXPECT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_ERROR_INVALID_ARGUMENT);
+        const std::string message = flgIoErrorGetMessage();
+        return message.substr(message.find("desc."));
+    };
+    material.texture = 2;
+    EXPECT_EQ(refusal(), "desc.materials[0].texture: is 2, but there are 2 textures");
+    material.texture = 0;
+    textures[0].picture_size = 2;
+    EXPECT_EQ(refusal(), "desc.textures[0].picture: is neither a PNG nor a JPEG file");
+    textures[0].picture_size = sizeof picture;
+    textures[1].wrap_v = static_cast<FlgTextureWrap>(7);
+    EXPECT_EQ(refusal(), "desc.textures[1]: wraps by 7, which is none of FLG_TEXTURE_WRAP_");
+    textures[1].wrap_v = FLG_TEXTURE_WRAP_REPEAT;
+    colors[5] = NAN;
+    EXPECT_EQ(refusal(), "desc.vertex_colors[5]: is nan, must be finite and at most 1e30 in size");
+    colors[5] = 0;
+    view.corner_uvs = nullptr;
+    EXPECT_EQ(refusal(), "desc.textures[0].picture: needs the corner_uvs of all meshes");
+}
+
+// glTF passes over colour spaces and shapes of pixels, and its validator warns of them.
+TEST(MeshLooks, PicturesAreWrittenWithoutWhatGltfPassesOver) {
+    const Folder folder;
+    TestSkin skin = bar();
+    FlgSkinView view = skin.view();
+    const std::vector<float> uvs(size_t{6} * view.triangle_count, 0.5f);
+    view.corner_uvs = uvs.data();
+    FlgSkinFileWriteDesc desc = {};
+    ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
+    desc.skin = &view;
+    const std::string path = folder.at("skin.glb");
+    const auto written = [&](const std::string& file) {
+        desc.texture = reinterpret_cast<const uint8_t*>(file.data());
+        desc.texture_size = file.size();
+        EXPECT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
+        const FlgTexture texture = Mesh(path).texture(0);
+        return texture.picture_size;
+    };
+    constexpr size_t header = 33;  // signature and first chunk
+    const std::string gamma("\0\0\0\4gAMA\0\0\xb1\x8f\x0b\xfc\x61\x05", 16);
+    const std::string with_gamma = png.substr(0, header) + gamma + png.substr(header);
+    EXPECT_EQ(written(png), png.size());
+    EXPECT_EQ(written(with_gamma), png.size());
+    // Cut off: as it is.
+    EXPECT_EQ(written(with_gamma.substr(0, 60)), 60u);
+}
+
+TEST(MeshLooks, WhatGltfLacksIsNamed) {
+    const Folder folder;
+    TestSkin skin = bar();
+    FlgSkinView view = skin.view();
+    const std::vector<float> uvs(size_t{6} * view.triangle_count, 0.5f);
+    view.corner_uvs = uvs.data();
+    FlgSkinFileWriteDesc desc = {};
+    ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
+    desc.skin = &view;
+    desc.texture = picture;
+    desc.texture_size = sizeof picture;
+    const std::string path = folder.at("skin.glb");
+    ASSERT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
+    const auto warnings = [&](const std::string& from, const std::string& to) {
+        Glb glb(slurp(path));
+        const Mesh mesh(folder.put("odd.glb", glb.replace(from, to).bytes()));
+        return mesh.warnings;
+    };
+    const std::string lost = warnings("\"pbrMetallicRoughness\":{",
+                                      "\"alphaMode\":\"BLEND\",\"normalTexture\":{\"index\":0},"
+                                      "\"pbrMetallicRoughness\":{");
+    EXPECT_NE(lost.find("with normalTexture, which is left out"), std::string::npos) << lost;
+    EXPECT_NE(lost.find("with alphaMode, which is left out"), std::string::npos) << lost;
+    EXPECT_NE(warnings("\"source\":0,", "").find("neither PNG nor JPEG"), std::string::npos);
+    EXPECT_NE(
+        warnings("\"images\":[{\"bufferView\":", "\"images\":[{\"uri\":\"gone.png\",\"was\":").find("can't be read"),
+        std::string::npos);
+    EXPECT_NE(warnings("\"TEXCOORD_0\"", "\"TEXCOORD_3\"").find("with attributes besides"), std::string::npos);
+}
+
+// KHR_texture_transform: scaled, turned counter-clockwise as seen, moved.
+TEST(MeshLooks, TextureCoordinatesAreTransformed) {
+    const Folder folder;
+    TestSkin skin = bar();
+    FlgSkinView view = skin.view();
+    std::vector<float> uvs;
+    for (uint32_t c = 0; c < 3 * view.triangle_count; ++c) uvs.insert(uvs.end(), {0.5f, 0.25f});
+    view.corner_uvs = uvs.data();
+    FlgSkinFileWriteDesc desc = {};
+    ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
+    desc.skin = &view;
+    desc.texture = picture;
+    desc.texture_size = sizeof picture;
+    const std::string path = folder.at("skin.glb");
+    ASSERT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
+    Glb glb(slurp(path));
+    glb.replace("\"baseColorTexture\":{\"index\":0}",
+                "\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.125,1],"
+                "\"rotation\":1.5707963267948966,\"scale\":[2,4]}}}");
+    const Mesh mesh(folder.put("moved.glb", glb.bytes()));
+    ASSERT_EQ(mesh.result, FLG_OK) << mesh.warnings;
+    // (0.5, 0.25) scaled (1, 1), turned (1, -1), moved.
+    EXPECT_NEAR(mesh.uvs().at(0), 1.125f, 1e-6f);
+    EXPECT_NEAR(mesh.uvs().at(1), 0, 1e-6f);
+}
+
+}  // namespace
+}  // namespace flg::test
