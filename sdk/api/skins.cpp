@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies of parts, and skins: made, shown, released.
+#include <algorithm>
 #include <cmath>
 
 #include "api/descriptors.h"
@@ -44,6 +45,36 @@ Vec3 read_direction(const float (&direction)[3], const char* argument) {
 }
 
 constexpr uint32_t least_vertices = 4;  // of a closed surface
+constexpr float weight_error = 0.001f;
+
+// A vertex' weights with sum 1, the largest first; each joint once.
+void bind_vertex(const uint16_t* joints, const float* weights, uint32_t vertex, VertexJoints& out_joints,
+                 VertexWeights& out_weights) {
+    out_joints = {};
+    out_weights = {};
+    float sum = 0;
+    size_t used = 0;
+    for (size_t k = 0; k < 4; ++k) {
+        if (!(weights[k] >= 0 && weights[k] <= 1))
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.vertex_weights[%zu] is %g, must be 0 to 1",
+                          4 * size_t{vertex} + k, static_cast<double>(weights[k]));
+        sum += weights[k];
+        if (weights[k] == 0) continue;
+        const size_t same = std::find(out_joints.begin(), out_joints.begin() + used, joints[k]) - out_joints.begin();
+        out_joints[same] = joints[k];
+        out_weights[same] += weights[k];
+        used = std::max(used, same + 1);
+    }
+    if (!(std::abs(sum - 1) <= weight_error))
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.vertex_weights: those of vertex %u sum up to %g, must be 1",
+                      vertex, static_cast<double>(sum));
+    for (size_t k = 0; k < used; ++k) out_weights[k] /= sum;
+    for (size_t k = 1; k < used; ++k)
+        for (size_t i = k; i > 0 && out_weights[i] > out_weights[i - 1]; --i) {
+            std::swap(out_weights[i], out_weights[i - 1]);
+            std::swap(out_joints[i], out_joints[i - 1]);
+        }
+}
 constexpr float half_turn = 3.14159274f;
 
 }  // namespace
@@ -167,6 +198,35 @@ FlgResult flgSkinSimplify(FlgContext context, const FlgSkinSimplifyDesc* desc, F
         Submission submission(self, read.job);
         submission.read(*source, "desc.skin");
         submission.job().strand.start(make_simpler_skin(submission.pace(), source, out));
+        *out_skin = {submission.commit(self.skins, out, out_job)};
+    });
+}
+
+FlgResult flgSkinSetWeightsDescInit(FlgSkinSetWeightsDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgSkinSetWeightsDesc>());
+}
+
+FlgResult flgSkinSetWeights(FlgContext context, const FlgSkinSetWeightsDesc* desc, FlgSkin* out_skin, FlgJob* out_job) {
+    return guarded([&] {
+        Context& self = clear_outputs(context, out_skin, "out_skin", out_job);
+        const FlgSkinSetWeightsDesc read = read_struct(desc, sized<FlgSkinSetWeightsDesc>(), "desc");
+        check_range(read.vertex_count >= 1 && read.vertex_count <= largest_limit, "desc.vertex_count",
+                    read.vertex_count, "1 to 4194304");
+        require(read.vertex_joints, "desc.vertex_joints");
+        require(read.vertex_weights, "desc.vertex_weights");
+        const std::shared_ptr<const HeldSkin> source = self.skins.get(read.skin.id, "desc.skin");
+        const auto out = self.make(self.skins);
+        out->model = source->model;
+        out->options = source->options;
+        Submission submission(self, read.job);
+        submission.read(*source, "desc.skin");
+        Memory* const memory = self.memory[MemoryKind::models];
+        out->weights.joints = Buffer<VertexJoints>(read.vertex_count, memory);
+        out->weights.weights = Buffer<VertexWeights>(read.vertex_count, memory);
+        for (uint32_t v = 0; v < read.vertex_count; ++v)
+            bind_vertex(read.vertex_joints + 4 * size_t{v}, read.vertex_weights + 4 * size_t{v}, v,
+                        out->weights.joints[v], out->weights.weights[v]);
+        submission.job().strand.start(make_bound_skin(submission.pace(), source, out));
         *out_skin = {submission.commit(self.skins, out, out_job)};
     });
 }

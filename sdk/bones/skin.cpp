@@ -132,10 +132,28 @@ bool has_pictures(const HeldModel& model) {
 
 Task<void> show_all(Pace& pace, HeldSkin& skin) {
     co_await each(pace, skin.mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin.show_vertex(v); });
-    if (has_pictures(*skin.model))
+    if (skin.model && has_pictures(*skin.model))
         co_await each(pace, 3 * skin.mesh.triangles.size(), Cost::tens_of_ns,
                       [&](uint32_t corner) { skin.show_corner(corner); });
     co_await each(pace, skin.tree.joints.size(), Cost::some_ns, [&](uint32_t j) { skin.show_joint(j); });
+}
+
+template <class T>
+Task<void> copy_buffer(Pace& pace, const Buffer<T>& from, Buffer<T>& to) {
+    to = Buffer<T>(from.size(), pace.memory());
+    co_await each(pace, from.size(), Cost::some_ns, [&](uint32_t i) { to[i] = from[i]; });
+}
+
+// All of a skin that its vertices have no part in.
+Task<void> copy_joints(Pace& pace, const HeldSkin& from, HeldSkin& to) {
+    to.origin = from.origin;
+    to.mirror_normal = from.mirror_normal;
+    to.mirror_offset = from.mirror_offset;
+    to.tree.joints.reserve(from.tree.joints.size());
+    co_await each(pace, from.tree.joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
+        to.tree.joints.push_back(from.tree.joints[j]);
+        to.names.emplace_back(from.names[j]);
+    });
 }
 
 }  // namespace
@@ -240,16 +258,33 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
 
 Task<void> make_simpler_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin) {
     SimplifiedMesh simpler = co_await simplify_mesh(pace, source->mesh, source->weights, skin->options.vertices);
-    skin->origin = source->origin;
-    skin->mirror_normal = source->mirror_normal;
-    skin->mirror_offset = source->mirror_offset;
     skin->mesh = std::move(simpler.mesh);
     skin->weights = std::move(simpler.weights);
-    skin->tree.joints.reserve(source->tree.joints.size());
-    co_await each(pace, source->tree.joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
-        skin->tree.joints.push_back(source->tree.joints[j]);
-        skin->names.emplace_back(source->names[j]);
+    co_await copy_joints(pace, *source, *skin);
+    co_await show_all(pace, *skin);
+}
+
+Task<void> make_bound_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin) {
+    const size_t vertices = source->mesh.positions.size(), joints = source->tree.joints.size();
+    if (skin->weights.joints.size() != vertices)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.vertex_count is %zu, but the skin has %zu vertices",
+                      skin->weights.joints.size(), vertices);
+    co_await each(pace, 4 * vertices, Cost::some_ns, [&](uint32_t i) {
+        const uint16_t joint = skin->weights.joints[i / 4][i % 4];
+        if (joint >= joints)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.vertex_joints: vertex %u has joint %u, but there are %zu",
+                          i / 4, joint, joints);
     });
+    const MergedMesh& mesh = source->mesh;
+    skin->mesh.spacing = mesh.spacing;
+    skin->mesh.even_vertices = mesh.even_vertices;
+    co_await copy_buffer(pace, mesh.positions, skin->mesh.positions);
+    co_await copy_buffer(pace, mesh.normals, skin->mesh.normals);
+    co_await copy_buffer(pace, mesh.triangles, skin->mesh.triangles);
+    co_await copy_buffer(pace, mesh.parts, skin->mesh.parts);
+    co_await copy_buffer(pace, mesh.triangle_parts, skin->mesh.triangle_parts);
+    co_await copy_buffer(pace, mesh.is_fixed, skin->mesh.is_fixed);
+    co_await copy_joints(pace, *source, *skin);
     co_await show_all(pace, *skin);
 }
 

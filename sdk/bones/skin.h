@@ -60,4 +60,7 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin);
 // The whole of flgSkinSimplify: `skin` is that of its options' vertices, and of the source's model.
 Task<void> make_simpler_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin);
 
+// The whole of flgSkinSetWeights: `skin` has its weights already.
+Task<void> make_bound_skin(Pace& pace, std::shared_ptr<const HeldSkin> source, std::shared_ptr<HeldSkin> skin);
+
 }  // namespace flg

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bodies of parts and skins of models behind the C ABI.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -37,7 +38,7 @@ struct SkinHost : PartHost {
         EXPECT_EQ(flgModelCreate(context, &desc, &model, nullptr), FLG_OK) << flgErrorGetMessage();
         return model;
     }
-    FlgSkinView skin(uint32_t vertices) const {
+    FlgSkinView skin(uint32_t vertices, FlgSkin* out_skin = nullptr) const {
         FlgSkinDesc desc = flgSkinDefaults();
         desc.model = model();
         desc.vertex_count = vertices;
@@ -47,6 +48,7 @@ struct SkinHost : PartHost {
         EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_NOT_READY);
         finish();
         EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_OK) << flgErrorGetMessage();
+        if (out_skin) *out_skin = skin;
         return view;
     }
 };
@@ -171,6 +173,73 @@ TEST(Skin, ShowsPicturesOfItsParts) {
     simplify.vertex_count = 100;
     simplify.skin = {};
     EXPECT_EQ(flgSkinSimplify(host.context, &simplify, &level, nullptr), FLG_ERROR_INVALID_HANDLE);
+}
+
+TEST(Skin, TakesWeightsOfTheHost) {
+    const SkinHost host;
+    FlgSkinSetWeightsDesc desc = flgSkinSetWeightsDefaults();
+    const FlgSkinView made = host.skin(600, &desc.skin);
+    std::vector<uint16_t> joints(made.vertex_joints, made.vertex_joints + 4 * made.vertex_count);
+    std::vector<float> weights(made.vertex_weights, made.vertex_weights + 4 * made.vertex_count);
+    const auto set = [&](size_t vertex, std::array<uint16_t, 4> of, std::array<float, 4> with) {
+        std::copy(of.begin(), of.end(), joints.begin() + 4 * vertex);
+        std::copy(with.begin(), with.end(), weights.begin() + 4 * vertex);
+    };
+    set(0, {1, 0, 1, 2}, {0.25f, 0.4f, 0.25f, 0.1f});  // a joint twice
+    set(1, {0, 65535, 1, 0}, {0.4995f, 0, 0.5f, 0});   // a sum just below 1, no such joint for a weight of 0
+    desc.vertex_count = made.vertex_count;
+    desc.vertex_joints = joints.data();
+    desc.vertex_weights = weights.data();
+    FlgSkin skin{};
+    const auto refusal = [&](FlgSkinSetWeightsDesc wrong) {
+        if (flgSkinSetWeights(host.context, &wrong, &skin, nullptr) == FLG_OK) {
+            host.finish();
+            FlgSkinView none = flgSkinViewDefaults();
+            EXPECT_EQ(flgSkinGetView(host.context, skin, &none), FLG_ERROR_INVALID_ARGUMENT);
+        }
+        return std::string(flgErrorGetMessage());
+    };
+    ASSERT_EQ(flgSkinSetWeights(host.context, &desc, &skin, nullptr), FLG_OK) << flgErrorGetMessage();
+    host.finish();
+    FlgSkinView view = flgSkinViewDefaults();
+    ASSERT_EQ(flgSkinGetView(host.context, skin, &view), FLG_OK) << flgErrorGetMessage();
+    EXPECT_EQ(std::vector<float>(view.positions, view.positions + 3 * view.vertex_count),
+              std::vector<float>(made.positions, made.positions + 3 * made.vertex_count));
+    EXPECT_EQ(view.triangle_count, made.triangle_count);
+    EXPECT_STREQ(view.joint_names[1], made.joint_names[1]);
+    EXPECT_EQ(view.vertex_joints[0], 1);
+    EXPECT_FLOAT_EQ(view.vertex_weights[0], 0.5f);
+    EXPECT_EQ(view.vertex_joints[2], 2);
+    EXPECT_EQ(view.vertex_weights[3], 0);
+    EXPECT_EQ(view.vertex_joints[4], 1);
+    EXPECT_FLOAT_EQ(view.vertex_weights[4] + view.vertex_weights[5], 1);
+    for (size_t i = 8; i < weights.size(); ++i) EXPECT_NEAR(view.vertex_weights[i], made.vertex_weights[i], 1e-6f);
+    // Levels of detail are of the new weights.
+    FlgSkinSimplifyDesc simplify = flgSkinSimplifyDefaults();
+    simplify.skin = skin;
+    simplify.vertex_count = 200;
+    FlgSkin level{};
+    ASSERT_EQ(flgSkinSimplify(host.context, &simplify, &level, nullptr), FLG_OK) << flgErrorGetMessage();
+    host.finish();
+    ASSERT_EQ(flgSkinGetView(host.context, level, &view), FLG_OK) << flgErrorGetMessage();
+    EXPECT_EQ(view.vertex_count, 200u);
+
+    desc.vertex_count = 7;
+    EXPECT_NE(refusal(desc).find("desc.vertex_count is 7, but the skin has "), std::string::npos) << refusal(desc);
+    desc.vertex_count = made.vertex_count;
+    set(2, {65535, 0, 0, 0}, {1, 0, 0, 0});
+    EXPECT_NE(refusal(desc).find("vertex 2 has joint 65535, but there are "), std::string::npos) << refusal(desc);
+    set(2, {0, 1, 0, 0}, {0.5f, 0.4f, 0, 0});
+    EXPECT_NE(refusal(desc).find("those of vertex 2 sum up to 0.9, must be 1"), std::string::npos) << refusal(desc);
+    for (const float wrong : {NAN, -0.5f, 1.5f, INFINITY}) {
+        set(2, {0, 1, 0, 0}, {1, wrong, 0, 0});
+        EXPECT_NE(refusal(desc).find("desc.vertex_weights[9] is "), std::string::npos) << refusal(desc);
+    }
+    desc.vertex_joints = nullptr;
+    EXPECT_NE(refusal(desc).find("desc.vertex_joints"), std::string::npos) << refusal(desc);
+    desc.vertex_joints = joints.data();
+    desc.skin = {};
+    EXPECT_EQ(flgSkinSetWeights(host.context, &desc, &skin, nullptr), FLG_ERROR_INVALID_HANDLE);
 }
 
 TEST(Skin, IsTheSameUnderWorkers) {

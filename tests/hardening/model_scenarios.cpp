@@ -143,6 +143,17 @@ void make_models(Calls& calls) {
     FLG_CALL(calls, flgSkinGetView, calls.context, skin, &view);
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
     calls.note(view.vertex_weights, size_t{4} * view.vertex_count * sizeof(float));
+    FlgSkinSetWeightsDesc weights = FLG_INIT(calls, flgSkinSetWeightsDescInit);
+    weights.skin = skin;
+    weights.vertex_count = view.vertex_count;
+    weights.vertex_joints = view.vertex_joints;
+    weights.vertex_weights = view.vertex_weights;
+    FlgSkin bound{};
+    FLG_CALL(calls, flgSkinSetWeights, calls.context, &weights, calls.out(bound), calls.job());
+    calls.finish();
+    FLG_CALL(calls, flgSkinGetView, calls.context, bound, &view);
+    calls.note(view.vertex_weights, size_t{4} * view.vertex_count * sizeof(float));
+    FLG_CALL(calls, flgSkinRelease, calls.context, bound);
     FLG_CALL(calls, flgSkinGetView, calls.context, level, &view);
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
     FLG_CALL(calls, flgSkinRelease, calls.context, level);

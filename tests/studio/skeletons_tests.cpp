@@ -5,10 +5,13 @@
 #include <numbers>
 
 #include "shell/studio_error.h"
+#include "skeletons/contour_edits.h"
 #include "skeletons/drawing_file.h"
 #include "skeletons/history.h"
 #include "skeletons/joint_edits.h"
+#include "skeletons/joint_symmetry.h"
 #include "skeletons/rig.h"
+#include "skeletons/weight_brush.h"
 #include "tools/program.h"
 
 namespace flg::studio {
@@ -70,6 +73,140 @@ TEST(StudioContour, SaysWhereALineCrossesItself) {
     EXPECT_EQ(crossings_of(holed, 1).size(), 1u);
 }
 
+TEST(StudioContour, PointsThatFollowAreNearAlongTheLine) {
+    // A thin strip: the point across is near, but not along the line.
+    Ring strip;
+    for (int i = 0; i <= 100; ++i) strip.emplace_back(0.1 * i, 0.0);
+    for (int i = 100; i >= 0; --i) strip.emplace_back(0.1 * i, 0.2);
+    const std::vector<double> shares = follow_shares(strip, 50, 1.0);
+    EXPECT_EQ(shares[50], 1.0);
+    EXPECT_EQ(shares[151], 0.0) << "across";
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_NEAR(shares[50 + i], shares[50 - i], 1e-12);
+        EXPECT_GT(shares[50 + i], shares[50 + i + 1]);
+    }
+    EXPECT_NEAR(shares[60], 0.0, 1e-12);
+    const Contour contour{{strip, {{1, 0.05}, {2, 0.05}, {2, 0.1}}}};
+    const Contour moved = with_point_moved(contour, {0, 50}, {0.0, -1.0}, 1.0);
+    EXPECT_EQ(moved.rings[1], contour.rings[1]);
+    EXPECT_EQ(moved.rings[0][50], glm::dvec2(strip[50].x, -1.0));
+    for (size_t i = 0; i < strip.size(); ++i) EXPECT_NEAR(moved.rings[0][i].y, strip[i].y - shares[i], 1e-12);
+    // Alone.
+    const std::vector<double> alone = follow_shares(strip, 0, 0.0);
+    EXPECT_EQ(alone[0], 1.0);
+    EXPECT_EQ(alone[1] + alone.back(), 0.0);
+    // Around the ring's first point.
+    EXPECT_GT(follow_shares(strip, 201, 1.0)[0], 0.5);
+    const Contour more = with_point_after(contour, {1, 2}, {1.5, 0.06});
+    EXPECT_EQ(more.rings[1].back(), glm::dvec2(1.5, 0.06));
+    EXPECT_EQ(without_point(more, {1, 3}).rings, contour.rings);
+}
+
+// A strip of squares, folded to a closed flat surface: vertices 2 i and 2 i + 1 at x = i.
+struct FlatSkin {
+    explicit FlatSkin(uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i)
+            for (const float y : {0.0f, 1.0f}) {
+                positions.insert(positions.end(), {static_cast<float>(i), y, 0.0f});
+                joints.insert(joints.end(), {static_cast<uint16_t>(i < count / 2 ? 0 : 1), 0, 0, 0});
+                weights.insert(weights.end(), {1, 0, 0, 0});
+            }
+        for (uint32_t i = 0; i + 1 < count; ++i) {
+            const uint32_t a = 2 * i, b = a + 1, c = a + 2, d = a + 3;
+            triangles.insert(triangles.end(), {a, c, b, b, c, d, a, b, c, b, d, c});
+        }
+        parts.assign(2 * count, 0);
+        view = flgSkinViewDefaults();
+        view.vertex_count = 2 * count;
+        view.triangle_count = static_cast<uint32_t>(triangles.size() / 3);
+        view.joint_count = 3;
+        view.positions = positions.data();
+        view.triangles = triangles.data();
+        view.vertex_joints = joints.data();
+        view.vertex_weights = weights.data();
+        view.vertex_parts = parts.data();
+        view.joint_parents = parents;
+    }
+    std::vector<float> positions, weights;
+    std::vector<uint16_t> joints;
+    std::vector<uint32_t> triangles, parts;
+    const uint32_t parents[3] = {FLG_NO_INDEX, 0, 1};
+    FlgSkinView view;
+};
+
+void expect_valid(const PaintedWeights& painted, uint32_t vertices) {
+    for (uint32_t v = 0; v < vertices; ++v) {
+        float sum = 0.0f;
+        for (uint32_t k = 4 * v; k < 4 * v + 4; ++k) {
+            sum += painted.weights()[k];
+            EXPECT_TRUE(painted.weights()[k] >= 0.0f && painted.weights()[k] <= painted.weights()[4 * v]);
+        }
+        EXPECT_NEAR(sum, 1.0f, 1e-5f);
+    }
+}
+
+TEST(StudioWeights, StayWholeUnderEveryBrush) {
+    const FlatSkin skin(20);
+    PaintedWeights painted;
+    painted.begin(skin.view);
+    PaintedWeights::Dab dab{.seed = 8, .at = {4, 0, 0}, .radius = 2.5f, .strength = 0.5f, .joint = 2};
+    painted.paint(dab);
+    EXPECT_FLOAT_EQ(painted.of_joint(2)[8], 0.5f);
+    EXPECT_FLOAT_EQ(painted.of_joint(0)[8], 0.5f);
+    EXPECT_GT(painted.of_joint(2)[10], 0.0f);
+    EXPECT_EQ(painted.of_joint(2)[14], 0.0f) << "outside of the brush";
+    expect_valid(painted, 40);
+    dab.brush = WeightBrush::subtract;
+    dab.strength = 1.0f;
+    painted.paint(dab);
+    EXPECT_NEAR(painted.of_joint(2)[8], 0.0f, 1e-6f);
+    // From what follows one joint alone to the joint before; the root's stays.
+    dab.seed = 38, dab.at = {19, 0, 0}, dab.joint = 1;
+    painted.paint(dab);
+    EXPECT_FLOAT_EQ(painted.of_joint(0)[38], 1.0f);
+    dab.joint = 0;
+    painted.paint(dab);
+    EXPECT_FLOAT_EQ(painted.of_joint(0)[38], 1.0f);
+    expect_valid(painted, 40);
+    // Where weights jump, smoothing makes steps smaller.
+    painted.begin(skin.view);
+    const auto jump = [&] { return std::abs(painted.of_joint(1)[20] - painted.of_joint(1)[18]); };
+    EXPECT_EQ(jump(), 1.0f);
+    dab = {.seed = 20, .at = {10, 0, 0}, .radius = 4.0f, .brush = WeightBrush::smooth, .strength = 0.5f};
+    for (int i = 0; i < 8; ++i) painted.paint(dab);
+    EXPECT_LT(jump(), 0.5f);
+    expect_valid(painted, 40);
+}
+
+TEST(StudioWeights, ReachOnlyWhatHangsTogether) {
+    FlatSkin skin(20);
+    // The strip comes back beside itself: the second half lies 0.5 in front of the first.
+    for (uint32_t v = 20; v < 40; ++v) {
+        skin.positions[3 * v] = 19.0f - skin.positions[3 * v];
+        skin.positions[3 * v + 2] = 0.5f;
+    }
+    PaintedWeights painted;
+    painted.begin(skin.view);
+    painted.paint({.seed = 4, .at = {2, 0, 0}, .radius = 3.0f, .strength = 1.0f, .joint = 2});
+    EXPECT_FLOAT_EQ(painted.of_joint(2)[4], 1.0f);
+    for (uint32_t v = 24; v < 40; ++v) EXPECT_EQ(painted.of_joint(2)[v], 0.0f) << v;
+}
+
+TEST(StudioPulls, RecordsArePlayedBetweenTheirKeys) {
+    const BodyPlace tip{"arm", false, {1, 2, 0}}, foot{"leg", true, {0, 0, 0}};
+    PullRecord record;
+    EXPECT_TRUE(record.at(0.0f).empty());
+    record.add(0.0f, {{tip, {0, 0, 0}}});
+    record.add(1.0f, {{tip, {2, 0, 0}}, {foot, {0, 1, 0}}});
+    record.add(2.0f, {{foot, {0, 3, 0}}});
+    EXPECT_EQ(record.places.size(), 2u);
+    EXPECT_EQ(record.length(), 2.0f);
+    EXPECT_EQ(record.at(0.5f), (std::vector<PullPin>{{tip, {1, 0, 0}}}));
+    EXPECT_EQ(record.at(1.5f), (std::vector<PullPin>{{tip, {2, 0, 0}}, {foot, {0, 2, 0}}}));
+    for (const float after : {2.0f, 9.0f}) EXPECT_EQ(record.at(after), (std::vector<PullPin>{{foot, {0, 3, 0}}}));
+    EXPECT_EQ(record.at(-1.0f), (std::vector<PullPin>{{tip, {0, 0, 0}}}));
+}
+
 DrawnPart square(const char* name) {
     DrawnPart part;
     part.name = name;
@@ -128,6 +265,14 @@ TEST(StudioDrawing, DocumentsAndFilesKeepIt) {
     rename_joint(drawing, "arm_1", "elbow");
     merge_joint(drawing, "arm_2");
     drawing.parts[0].depth = 2.0f;
+    const BodyPlace place{"leg", true, {0.25, 0.5, -0.125}};
+    drawing.weight_strokes.push_back(std::make_shared<WeightStroke>(
+        WeightStroke{WeightBrush::subtract, "leg_0.L", "leg_0.R", 0.25f, {{place, 0.5, true}, {place, 0.25, false}}}));
+    drawing.pulls.pins = {{place, {1.0f, 0.5f, 0.0f}}};
+    PullRecord record;
+    record.add(0.0f, drawing.pulls.pins);
+    record.add(0.5f, {});
+    drawing.pulls.record = std::make_shared<PullRecord>(record);
     const Drawing again = drawing_of_document(document_json(drawing));
     ASSERT_EQ(again.parts.size(), 2u);
     EXPECT_EQ(again.parts[1].contour->rings, drawing.parts[1].contour->rings);
@@ -142,6 +287,11 @@ TEST(StudioDrawing, DocumentsAndFilesKeepIt) {
     EXPECT_EQ(again.picture, drawing.picture);
     EXPECT_EQ(again.joint_edits, drawing.joint_edits);
     EXPECT_EQ(again.parts[0].depth, 2.0f);
+    ASSERT_EQ(again.weight_strokes.size(), 1u);
+    EXPECT_EQ(*again.weight_strokes[0], *drawing.weight_strokes[0]);
+    EXPECT_EQ(again.pulls.pins, drawing.pulls.pins);
+    ASSERT_TRUE(again.pulls.record);
+    EXPECT_EQ(*again.pulls.record, record);
     EXPECT_EQ(document_json(again), document_json(drawing));
     EXPECT_TRUE(drawing_of_document(document_json(Drawing{})).parts.empty());
 
@@ -161,6 +311,16 @@ TEST(StudioDrawing, RefusesWhatIsNone) {
         EXPECT_THROW(read_drawing((folder / name).string()), StudioError) << name;
     EXPECT_THROW(drawing_of_document({{"pose", 7}}), StudioError);
     EXPECT_THROW(drawing_of_document({{"drawing", {{"parts", 1}}}}), StudioError);
+    EXPECT_THROW(drawing_of_document({{"weights", {{{"brush", "add"}}}}}), StudioError);
+    const nlohmann::json held = nlohmann::json::array({0, 1.0, 1.0, 1.0});
+    const auto key = [&](float seconds) { return nlohmann::json::array({seconds, nlohmann::json::array({held})}); };
+    const nlohmann::json places = nlohmann::json::array({nlohmann::json::array({"leg", false, 0.0, 0.0, 0.0})});
+    const auto pulls = [&](nlohmann::json of, nlohmann::json keys) {
+        return nlohmann::json{{"pulls", {{"places", std::move(of)}, {"keys", std::move(keys)}}}};
+    };
+    EXPECT_TRUE(drawing_of_document(pulls(places, nlohmann::json::array({key(0), key(1)}))).pulls.record);
+    EXPECT_THROW(drawing_of_document(pulls(places, nlohmann::json::array({key(1), key(0)}))), StudioError);
+    EXPECT_THROW(drawing_of_document(pulls(nlohmann::json::array(), nlohmann::json::array({key(0)}))), StudioError);
 }
 
 TEST(StudioDrawing, NamesAreFreeAndWholeCharacters) {
@@ -194,7 +354,14 @@ TEST(StudioJoints, EditsReplaceEachOtherAndFollowTheirPart) {
     // What a split made is not made, rather than merged.
     merge_joint(drawing, half);
     EXPECT_EQ(drawing.joint_edits.size(), 2u);
+    drawing.weight_strokes.push_back(std::make_shared<WeightStroke>(
+        WeightStroke{WeightBrush::add, "arm_1.L", "", 0.5f, {{{"arm", false, {}}, 0.5, false}}}));
+    drawing.pulls.pins = {{{"arm", false, {}}, {}}, {{"leg", false, {}}, {}}};
     rename_part(drawing, "arm", "wing");
+    EXPECT_EQ(drawing.weight_strokes[0]->joint, "wing_1.L");
+    EXPECT_EQ(drawing.weight_strokes[0]->dabs[0].place.part, "wing");
+    EXPECT_EQ(drawing.pulls.pins[0].place.part, "wing");
+    EXPECT_EQ(drawing.pulls.pins[1].place.part, "leg");
     EXPECT_EQ(drawing.joint_edits[0].joint, "wing_1");
     reset_joint(drawing, "wing_1");
     EXPECT_TRUE(drawing.joint_edits.empty());
@@ -240,6 +407,18 @@ TEST(StudioRig, PulledJointsGoThereAndBonesKeepTheirLengths) {
     pull(rig, moved, 0, {1.0f, 2.0f, 3.0f});
     EXPECT_TRUE(moved.turns.empty());
     EXPECT_EQ(posed(rig, turns_of(rig, moved), moved.shift).at[8], rig.rest[8] + glm::vec3(1, 2, 3));
+}
+
+TEST(StudioRig, FindsThePlaneOfItsMirrorImage) {
+    Rig rig = forked();
+    rig.rest[5].x = rig.rest[8].x;
+    const auto symmetry = symmetry_of(rig);
+    ASSERT_TRUE(symmetry);
+    EXPECT_EQ(symmetry->pairs, (std::vector<uint32_t>{0, 1, 2, 6, 7, 8, 3, 4, 5}));
+    EXPECT_NEAR(std::abs(symmetry->plane.y), 1.0f, 1e-5f);
+    rig.rest[5].x += 0.3f;
+    EXPECT_FALSE(symmetry_of(rig));
+    EXPECT_FALSE(symmetry_of(Rig{}));
 }
 
 TEST(StudioRig, TwistsKeepTheBoneWhereItIs) {

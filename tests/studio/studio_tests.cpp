@@ -69,6 +69,107 @@ TEST(Studio, SetsJointsThatStayAsTheyWereSet) {
     plays("joints", Folder());
 }
 
+TEST(Studio, DragsThePointsOfALineAndKeepsTheLastGoodBody) {
+    plays("points", Folder());
+}
+
+TEST(Studio, PaintsWeightsThatLast) {
+    plays("weights", Folder());
+}
+
+TEST(Studio, PullsABodyAndPlaysWhatWasRecorded) {
+    plays("pull", Folder());
+}
+
+// A body with a limb, and the joint of the limb painted onto the body and pinned.
+constexpr const char* kPainted = R"(click "Skeletons"
+wait
+drag 0.700,0.500 0.640,0.600 0.500,0.630 0.360,0.600 0.300,0.500 0.360,0.400 0.500,0.370 0.640,0.400 0.700,0.500
+drag 0.640,0.450 0.760,0.420 0.880,0.300 0.900,0.330 0.800,0.500 0.660,0.550 0.640,0.450
+wait
+click "Weights"
+wait
+click "joint part 2_1"
+slide "Strength" 0.9
+drag 0.420,0.450 0.500,0.550
+wait
+click "Pull"
+wait
+click "Record drags"
+drag 0.360,0.500 0.300,0.560
+wait
+)";
+
+TEST(Studio, DocumentsKeepPaintedWeightsAndPins) {
+    const Folder folder;
+    const std::string file = (folder / "a.filigree").string();
+    const Outcome outcome = play_text(folder, kPainted + ("save " + file) + R"(
+key ctrl+n
+wait
+load )" + file + R"(
+click "Skeletons"
+click "Weights"
+wait
+expect skeletons.weight_strokes 1
+expect skeletons.lost_strokes 0
+click "joint part 2_1"
+expect skeletons.weight > 0.08
+expect skeletons.pins 1
+expect skeletons.keys > 2
+click "Pull"
+wait
+expect skeletons.pulled > 0.1
+)");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST(Studio, PaintsBothSidesOfASymmetricBody) {
+    const Folder folder;
+    const Outcome outcome = play_text(folder, R"(click "Skeletons"
+wait
+drag 0.560,0.500 0.550,0.650 0.500,0.700 0.450,0.650 0.440,0.500 0.450,0.350 0.500,0.300 0.550,0.350 0.560,0.500
+wait
+click 0.05,0.1
+click "Left, right"
+drag 0.530,0.400 0.700,0.360 0.800,0.350 0.800,0.410 0.700,0.430 0.530,0.470 0.530,0.400
+wait
+expect skeletons.mirrored 1
+click "Weights"
+wait
+click "joint part 2_1.R"
+frames 2
+expect skeletons.weight < 0.001
+click "joint part 2_1.L"
+frames 2
+expect skeletons.weight < 0.001
+click "Both sides"
+slide "Strength" 0.9
+drag 0.520,0.550 0.520,0.650
+wait
+expect skeletons.weight_strokes 1
+expect skeletons.weight > 0.02
+click "joint part 2_1.R"
+frames 2
+expect skeletons.weight > 0.02
+)");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST(Studio, ExportedModelsHaveThePaintedWeights) {
+    const Folder folder;
+    const std::string painted = (folder / "painted.glb").string(), plain = (folder / "plain.glb").string();
+    const Outcome outcome = play_text(folder, kPainted + ("export \"Model\" " + painted) + R"(
+click "Weights"
+click "Reset all weights"
+wait
+export "Model" )" + plain + "\n");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    // The mesh stays, the weights differ.
+    const std::string with = folder.read("painted.glb"), without = folder.read("plain.glb");
+    EXPECT_EQ(with.size(), without.size());
+    EXPECT_NE(with, without);
+}
+
 TEST(Studio, LaysCurvesAroundObstaclesAndPlaysAMotion) {
     plays("splines", Folder());
 }

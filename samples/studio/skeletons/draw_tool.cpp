@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skeletons/contour_edits.h"
 #include "skeletons/ink.h"
 #include "skeletons/part_picking.h"
 
@@ -15,14 +16,8 @@ namespace {
 constexpr double kSpacing_px = 4.0;  // of a contour's points, units of the layout
 constexpr float kNearStart_px = 14.0f;
 
-// To so many digits that a thousandth of the spacing counts: drawings are read by people too.
-double rounded(double value, double spacing) {
-    const double step = std::pow(10.0, std::floor(std::log10(spacing)) - 2.0);
-    return std::round(value / step) * step;
-}
-
-Ring rounded(Ring ring, double spacing) {
-    for (glm::dvec2& p : ring) p = {rounded(p.x, spacing), rounded(p.y, spacing)};
+Ring rounded_ring(Ring ring, double spacing) {
+    for (glm::dvec2& p : ring) p = rounded(p, spacing);
     return ring;
 }
 
@@ -88,7 +83,7 @@ void DrawTool::make_part() {
         if (!there.empty()) ring = there;
     }
     auto contour = std::make_shared<Contour>();
-    contour->rings.push_back(rounded(std::move(ring), spacing));
+    contour->rings.push_back(rounded_ring(std::move(ring), spacing));
     if (part.name.empty()) part.name = "part " + std::to_string(editor_.drawing().parts.size() + 1);
     editor_.brush.name.clear();
     part.contour = std::move(contour);
@@ -104,7 +99,7 @@ void DrawTool::make_hole() {
     for (const glm::vec2& px : path_)
         if (const auto at = meet_part(editor_.app.view, part, px)) points.push_back(*at);
     const double spacing = spacing_at(hit->position) / part.scale;
-    const Ring hole = rounded(ring_of_path(points, spacing), spacing);
+    const Ring hole = rounded_ring(ring_of_path(points, spacing), spacing);
     if (hole.empty()) return editor_.select(hit->id);
     for (const glm::dvec2& p : hole) {
         bool is_free = is_inside(part.contour->rings[0], p);

@@ -14,6 +14,8 @@
 #include "filigree/filigree_model.h"
 #include "filigree_renderer/camera.h"
 #include "skeletons/contour.h"
+#include "skeletons/pull_record.h"
+#include "skeletons/weight_strokes.h"
 
 namespace flg::studio {
 
@@ -74,7 +76,9 @@ struct Drawing {
     FlgBoneThresholds thresholds = kUsualBones;
     TracedPicture picture;
     Pose pose;
-    std::vector<JointEdit> joint_edits;             // in the order they were made
+    std::vector<JointEdit> joint_edits;           // in the order they were made
+    std::vector<WeightStrokePtr> weight_strokes;  // likewise
+    Pulls pulls;
     std::vector<std::array<std::string, 2>> apart;  // parts that are not welded, by name
 
     const DrawnPart* find(uint32_t id) const;

@@ -114,6 +114,90 @@ nlohmann::json edit_json(const JointEdit& edit) {
     }
 }
 
+nlohmann::json place_json(const BodyPlace& place) {
+    return {place.part, place.is_image, place.at.x, place.at.y, place.at.z};
+}
+
+BodyPlace place_of(const nlohmann::json& json) {
+    return {json.at(0).get<std::string>(),
+            json.at(1).get<bool>(),
+            {json.at(2).get<double>(), json.at(3).get<double>(), json.at(4).get<double>()}};
+}
+
+nlohmann::json numbers(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+glm::vec3 vector_of(const nlohmann::json& json) {
+    return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
+}
+
+constexpr const char* kBrushNames[] = {"add", "subtract", "smooth"};
+
+nlohmann::json stroke_json(const WeightStroke& stroke) {
+    nlohmann::json json = {{"brush", kBrushNames[static_cast<size_t>(stroke.brush)]},
+                           {"joint", stroke.joint},
+                           {"strength", stroke.strength}};
+    if (!stroke.mirror_joint.empty()) json["mirror_joint"] = stroke.mirror_joint;
+    json["dabs"] = nlohmann::json::array();
+    for (const WeightDab& dab : stroke.dabs) {
+        nlohmann::json place = place_json(dab.place);
+        place.push_back(dab.radius);
+        place.push_back(dab.is_mirror);
+        json["dabs"].push_back(std::move(place));
+    }
+    return json;
+}
+
+WeightStrokePtr stroke_of(const nlohmann::json& json) {
+    WeightStroke stroke;
+    const std::string brush = json.at("brush").get<std::string>();
+    for (size_t b = 0; b < std::size(kBrushNames); ++b)
+        if (brush == kBrushNames[b]) stroke.brush = static_cast<WeightBrush>(b);
+    stroke.joint = json.at("joint").get<std::string>();
+    stroke.mirror_joint = json.value("mirror_joint", std::string());
+    stroke.strength = std::clamp(json.at("strength").get<float>(), 0.0f, 1.0f);
+    for (const nlohmann::json& dab : json.at("dabs"))
+        stroke.dabs.push_back({place_of(dab), std::max(dab.at(5).get<double>(), 0.0), dab.at(6).get<bool>()});
+    return std::make_shared<const WeightStroke>(std::move(stroke));
+}
+
+nlohmann::json pulls_json(const Pulls& pulls) {
+    nlohmann::json json = nlohmann::json::object();
+    for (const PullPin& pin : pulls.pins) json["pins"].push_back({place_json(pin.place), numbers(pin.by)});
+    if (!pulls.record) return json;
+    for (const BodyPlace& place : pulls.record->places) json["places"].push_back(place_json(place));
+    for (const PullRecord::Key& key : pulls.record->keys) {
+        nlohmann::json held = nlohmann::json::array();
+        for (const auto& [place, by] : key.by) held.push_back({place, by.x, by.y, by.z});
+        json["keys"].push_back({key.seconds, std::move(held)});
+    }
+    return json;
+}
+
+Pulls pulls_of(const nlohmann::json& json) {
+    Pulls pulls;
+    if (json.contains("pins"))
+        for (const nlohmann::json& pin : json["pins"])
+            pulls.pins.push_back({place_of(pin.at(0)), vector_of(pin.at(1))});
+    if (!json.contains("keys")) return pulls;
+    PullRecord record;
+    for (const nlohmann::json& place : json.at("places")) record.places.push_back(place_of(place));
+    for (const nlohmann::json& from : json["keys"]) {
+        PullRecord::Key key{from.at(0).get<float>(), {}};
+        if (key.seconds < record.length())
+            throw StudioError("The keys of a pulled body are not in the order of their times.");
+        for (const nlohmann::json& held : from.at(1)) {
+            const auto place = held.at(0).get<uint32_t>();
+            if (place >= record.places.size()) throw StudioError("A key of a pulled body has a pin that is not there.");
+            key.by[place] = {held.at(1).get<float>(), held.at(2).get<float>(), held.at(3).get<float>()};
+        }
+        record.keys.push_back(std::move(key));
+    }
+    pulls.record = std::make_shared<const PullRecord>(std::move(record));
+    return pulls;
+}
+
 // What reading a document or a drawing may throw.
 template <class Read>
 Drawing with_sentence(const std::string& subject, Read read) {
@@ -186,6 +270,8 @@ nlohmann::json document_json(const Drawing& drawing) {
     json["thresholds"] = nlohmann::json::object();
     put_thresholds(json["thresholds"], drawing.thresholds);
     json["pose"] = {{"turns", std::move(turns)}, {"shift", numbers(drawing.pose.shift)}};
+    for (const WeightStrokePtr& stroke : drawing.weight_strokes) json["weights"].push_back(stroke_json(*stroke));
+    if (nlohmann::json pulls = pulls_json(drawing.pulls); !pulls.empty()) json["pulls"] = std::move(pulls);
     const TracedPicture& picture = drawing.picture;
     if (!picture.path.empty())
         json["picture"] = {{"path", picture.path},
@@ -223,6 +309,10 @@ Drawing drawing_of_document(const nlohmann::json& document) {
             const nlohmann::json& shift = document["pose"].at("shift");
             drawing.pose.shift = {shift.at(0).get<float>(), shift.at(1).get<float>(), shift.at(2).get<float>()};
         }
+        if (document.contains("weights"))
+            for (const nlohmann::json& stroke : document["weights"])
+                drawing.weight_strokes.push_back(stroke_of(stroke));
+        if (document.contains("pulls")) drawing.pulls = pulls_of(document["pulls"]);
         if (document.contains("picture")) {
             const nlohmann::json& from = document["picture"];
             drawing.picture.path = from.at("path").get<std::string>();

@@ -74,6 +74,22 @@ void rename_part(Drawing& drawing, const std::string& from, const std::string& t
         follow(edit.joint);
         if (edit.kind == FLG_JOINT_EDIT_KIND_SPLIT) follow(edit.name);
     }
+    for (WeightStrokePtr& shared : drawing.weight_strokes) {
+        WeightStroke stroke = *shared;
+        follow(stroke.joint);
+        follow(stroke.mirror_joint);
+        for (WeightDab& dab : stroke.dabs)
+            if (dab.place.part == from) dab.place.part = to;
+        if (stroke != *shared) shared = std::make_shared<const WeightStroke>(std::move(stroke));
+    }
+    for (PullPin& pin : drawing.pulls.pins)
+        if (pin.place.part == from) pin.place.part = to;
+    if (drawing.pulls.record) {
+        PullRecord record = *drawing.pulls.record;
+        for (BodyPlace& place : record.places)
+            if (place.part == from) place.part = to;
+        drawing.pulls.record = std::make_shared<const PullRecord>(std::move(record));
+    }
     for (auto& pair : drawing.apart) std::replace(pair.begin(), pair.end(), from, to);
 }
 

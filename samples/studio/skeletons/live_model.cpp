@@ -36,9 +36,10 @@ bool ModelRecipe::is_shaped_as(const ModelRecipe& other) const {
 
 void LiveModel::update(const Drawing& drawing, Body body) {
     make_parts(drawing);
-    look_at_parts();
+    look_at_parts(drawing);
     take_model();
     take_skin();
+    take_bound();
     start_model(drawing);
     const bool is_fine = body == Body::fine && skin_ && skin_recipe_.is_shaped_as(recipe_);
     wanted_vertices_ = body == Body::none ? 0 : is_fine ? kFineVertices : kQuickVertices;
@@ -47,12 +48,14 @@ void LiveModel::update(const Drawing& drawing, Body body) {
 
 void LiveModel::clear() {
     parts_.clear();
-    model_.reset(), coming_model_.reset(), skin_.reset(), coming_skin_.reset();
+    good_lines_.clear();
+    model_.reset(), coming_model_.reset();
+    drop_skin();
     rig_ = {};
     loose_.clear();
     wanted_ = recipe_ = skin_recipe_ = {};
     model_failed_ = skin_failed_ = false;
-    ++rig_revision_, ++skin_revision_;
+    ++rig_revision_;
 }
 
 void LiveModel::make_parts(const Drawing& drawing) {
@@ -86,7 +89,7 @@ void LiveModel::make_parts(const Drawing& drawing) {
     }
 }
 
-void LiveModel::look_at_parts() {
+void LiveModel::look_at_parts(const Drawing& drawing) {
     for (auto& [contour, made] : parts_) {
         if (made.state.ready || !made.state.fault.empty()) continue;
         const FlgResult result = flgPartGetView(context_.get(), made.part.get(), &made.view);
@@ -95,6 +98,19 @@ void LiveModel::look_at_parts() {
         made.state.fault = flgErrorGetMessage();
         made.state.crossings = crossings_of(*contour, kMaxCrossings);
     }
+    std::erase_if(good_lines_, [&](const auto& entry) { return drawing.find(entry.first) == nullptr; });
+    for (const DrawnPart& part : drawing.parts)
+        if (parts_.at(part.contour.get()).state.ready) good_lines_[part.id] = part.contour;
+}
+
+ContourPtr LiveModel::line_for(const DrawnPart& part) const {
+    if (parts_.at(part.contour.get()).state.fault.empty()) return part.contour;
+    const auto good = good_lines_.find(part.id);
+    return good == good_lines_.end() ? nullptr : good->second;
+}
+
+bool LiveModel::keeps_line(uint32_t part) const {
+    return good_lines_.contains(part);
 }
 
 void LiveModel::start_model(const Drawing& drawing) {
@@ -104,10 +120,11 @@ void LiveModel::start_model(const Drawing& drawing) {
                        drawing.joint_edits,
                        {}};
     for (const DrawnPart& part : drawing.parts) {
-        const PartMade& made = parts_.at(part.contour.get());
-        if (!part.visible || !made.state.fault.empty()) continue;
+        const ContourPtr line = line_for(part);
+        if (!part.visible || !line) continue;
+        const PartMade& made = parts_.at(line.get());
         ModelRecipe::Part& entry = recipe.parts.emplace_back(ModelRecipe::Part{
-            part.id, part.name, part.contour, part.placement(), part.thickness, part.depth, part.mirrored, {}, {}});
+            part.id, part.name, line, part.placement(), part.thickness, part.depth, part.mirrored, {}, {}});
         if (part.thresholds) entry.thresholds = array_of(*part.thresholds);
         if (made.state.ready && part.branch_simplify.size() == made.view.branch_count)
             entry.branch_simplify = part.branch_simplify;
@@ -127,11 +144,12 @@ void LiveModel::start_model(const Drawing& drawing) {
     }
     if (recipe.parts.empty()) {
         if (!model_ && !skin_) return;
-        model_.reset(), coming_model_.reset(), skin_.reset(), coming_skin_.reset();
+        model_.reset(), coming_model_.reset();
+        drop_skin();
         rig_ = {};
         loose_.clear();
         recipe_ = skin_recipe_ = {};
-        ++rig_revision_, ++skin_revision_;
+        ++rig_revision_;
         return;
     }
     if (coming_model_ || model_failed_ || (model_ && recipe == recipe_)) return;
@@ -254,8 +272,47 @@ void LiveModel::take_skin() {
     skin_recipe_ = std::move(coming_skin_recipe_);
     skin_vertices_ = coming_vertices_;
     skinned_ = std::move(coming_skinned_);
-    skinned_.view = view;
-    ++skin_revision_;
+    skinned_.view = automatic_ = view;
+    bound_.reset(), coming_bound_.reset();
+    ++skin_revision_, ++shape_revision_;
+}
+
+void LiveModel::drop_skin() {
+    skin_.reset(), coming_skin_.reset(), bound_.reset(), coming_bound_.reset();
+    ++skin_revision_, ++shape_revision_;
+}
+
+void LiveModel::bind(const std::vector<uint16_t>& joints, const std::vector<float>& weights) {
+    FlgSkinSetWeightsDesc desc = flgSkinSetWeightsDefaults();
+    desc.skin = skin_.get();
+    desc.vertex_count = automatic_.vertex_count;
+    desc.vertex_joints = joints.data();
+    desc.vertex_weights = weights.data();
+    FlgSkin handle{};
+    if (flgSkinSetWeights(context_.get(), &desc, &handle, nullptr) != FLG_OK)
+        return notices_.add(Weight::error, std::string("The weights cannot be taken: ") + flgErrorGetMessage());
+    coming_bound_ = SkinOwner(context_.get(), handle);
+}
+
+void LiveModel::take_bound() {
+    if (!coming_bound_) return;
+    FlgSkinView view = flgSkinViewDefaults();
+    const FlgResult result = flgSkinGetView(context_.get(), coming_bound_.get(), &view);
+    if (result == FLG_NOT_READY) return;
+    if (result == FLG_OK) {
+        bound_ = std::move(coming_bound_);
+        skinned_.view = view;
+        ++skin_revision_;
+    } else {
+        notices_.add(Weight::error, std::string("The weights cannot be taken: ") + flgErrorGetMessage());
+    }
+    coming_bound_.reset();
+}
+
+void LiveModel::unbind() {
+    if (bound_) ++skin_revision_;
+    bound_.reset(), coming_bound_.reset();
+    skinned_.view = automatic_;
 }
 
 bool LiveModel::is_loose(uint32_t part) const {

@@ -60,6 +60,8 @@ public:
     // Parts that hang on nothing, although they are not the first.
     bool is_loose(uint32_t part) const;
     bool has_loose_parts() const { return !loose_.empty(); }
+    // A part whose line was changed into one that has no axis: bones and body keep the last line that had one.
+    bool keeps_line(uint32_t part) const;
 
     struct Skinned {
         FlgSkinView view;
@@ -70,6 +72,15 @@ public:
     };
     const Skinned* skin() const { return skin_ ? &skinned_ : nullptr; }
     uint64_t skin_revision() const { return skin_revision_; }
+    // Of its mesh: other weights leave it as it is.
+    uint64_t shape_revision() const { return shape_revision_; }
+    // The body with other weights than its own, four joints and weights a vertex, in a job; until it has a new shape.
+    void bind(const std::vector<uint16_t>& joints, const std::vector<float>& weights);
+    void unbind();
+    bool is_bound() const { return bound_ || coming_bound_; }
+    bool is_binding() const { return static_cast<bool>(coming_bound_); }
+    // With its own weights; there must be a skin.
+    const FlgSkinView& automatic() const { return automatic_; }
 
     struct PartState {
         bool ready = false;
@@ -90,27 +101,33 @@ private:
         FlgPartView view = flgPartViewDefaults();
     };
     void make_parts(const Drawing& drawing);
-    void look_at_parts();
+    void look_at_parts(const Drawing& drawing);
     void start_model(const Drawing& drawing);
     void take_model();
     void start_skin(uint32_t vertices);
     void take_skin();
+    void take_bound();
+    void drop_skin();
     bool wants_skin() const;
+    // What bones are made of; null: the part has no line for them.
+    ContourPtr line_for(const DrawnPart& part) const;
 
     filigree::Context& context_;
     Jobs& jobs_;
     Notices& notices_;
     std::map<const Contour*, PartMade> parts_;
+    std::map<uint32_t, ContourPtr> good_lines_;  // by part: the last that had an axis
     ModelRecipe wanted_{}, recipe_{}, coming_recipe_{}, skin_recipe_{}, coming_skin_recipe_{};
     ModelOwner model_, coming_model_;
-    SkinOwner skin_, coming_skin_;
+    SkinOwner skin_, coming_skin_, bound_, coming_bound_;
+    FlgSkinView automatic_{};
     Rig rig_;
     std::vector<uint32_t> loose_;
     Skinned skinned_{}, coming_skinned_{};             // the second without its view
     bool model_failed_ = false, skin_failed_ = false;  // what is wanted: not tried again
     uint32_t wanted_vertices_ = 0;                     // 0: no new body
     uint32_t skin_vertices_ = 0, coming_vertices_ = 0;
-    uint64_t rig_revision_ = 0, skin_revision_ = 0;
+    uint64_t rig_revision_ = 0, skin_revision_ = 0, shape_revision_ = 0;
 };
 
 }  // namespace flg::studio

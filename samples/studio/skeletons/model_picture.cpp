@@ -55,6 +55,7 @@ private:
 
 ModelPicture::~ModelPicture() {
     renderer_.remove(body_);
+    renderer_.remove(shape_);
     renderer_.remove(bones_);
 }
 
@@ -90,6 +91,36 @@ bool ModelPicture::show_body(const LiveModel::Skinned* skin, uint64_t revision, 
     return true;
 }
 
+void ModelPicture::show_shape(const LiveModel::Skinned& skin, std::span<const float> positions,
+                              std::span<const float> field, const std::array<uint64_t, 3>& revision) {
+    if (shape_.value != 0 && revision == shape_revision_) return;
+    const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0}};
+    FlgMeshView mesh = flgMeshViewDefaults();
+    mesh.vertex_count = skin.view.vertex_count;
+    mesh.triangle_count = skin.view.triangle_count;
+    mesh.columns = columns;
+    mesh.column_count = 1;
+    mesh.triangles = skin.view.triangles;
+    render::SurfaceLook look;
+    if (field.empty()) {
+        mesh.regions = skin.view.triangle_parts;
+        look.regions = materials_;
+    } else {
+        look.field_low = 0.0f;
+        look.field_high = 1.0f;
+        look.material.roughness = 0.9f;
+    }
+    if (shape_.value == 0)
+        shape_ = renderer_.upload(mesh, look, field);
+    else
+        renderer_.update(shape_, mesh, look, field);
+    shape_revision_ = revision;
+}
+
+void ModelPicture::hide_shape() {
+    renderer_.remove(std::exchange(shape_, {}));
+}
+
 void ModelPicture::pose_body(FlgSkinning skinning, std::span<const float> transforms) {
     if (body_.value != 0) renderer_.set_pose(body_, skinning, transforms);
 }
@@ -101,6 +132,7 @@ void ModelPicture::set_body_visible(bool visible) {
 
 void ModelPicture::device_lost() {
     body_ = {};
+    shape_ = {};
     bones_ = {};
 }
 

@@ -11,35 +11,41 @@
 namespace flg::studio {
 namespace {
 
-// How far along the ray (Moller and Trumbore 1997); infinite where it misses.
-float distance_to(const Ray& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    constexpr float kNever = std::numeric_limits<float>::infinity();
+// Where the ray meets a triangle (Moller and Trumbore 1997): how far along it, and the shares of the second and the
+// third corner; none where it misses.
+std::optional<glm::vec3> meet(const Ray& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
     const float turn = glm::dot(ab, p);
-    if (turn == 0.0f) return kNever;
+    if (turn == 0.0f) return std::nullopt;
     const glm::vec3 from = ray.origin - a, q = glm::cross(from, ab);
     const float u = glm::dot(from, p) / turn, v = glm::dot(ray.direction, q) / turn;
     const float distance = glm::dot(ac, q) / turn;
-    return u >= 0.0f && v >= 0.0f && u + v <= 1.0f && distance > 0.0f ? distance : kNever;
+    if (u < 0.0f || v < 0.0f || u + v > 1.0f || !(distance > 0.0f)) return std::nullopt;
+    return glm::vec3(distance, u, v);
 }
 
 std::optional<PartHit> pick_body(const LiveModel::Skinned& skin, const Ray& ray) {
-    float nearest = std::numeric_limits<float>::infinity();
-    uint32_t part = 0;
-    const FlgSkinView& view = skin.view;
-    const auto at = [&](uint32_t vertex) { return glm::make_vec3(view.positions + 3 * size_t{vertex}); };
-    for (uint32_t t = 0; t < view.triangle_count; ++t) {
-        const uint32_t* corners = view.triangles + 3 * size_t{t};
-        const float distance = distance_to(ray, at(corners[0]), at(corners[1]), at(corners[2]));
-        if (distance >= nearest) continue;
-        nearest = distance;
-        part = view.vertex_parts[corners[0]];
-    }
-    if (!std::isfinite(nearest)) return std::nullopt;
-    return PartHit{skin.parts[part], ray.origin + nearest * ray.direction, skin.is_image[part]};
+    const auto hit = pick_skin(skin.view, {skin.view.positions, size_t{3} * skin.view.vertex_count}, ray);
+    if (!hit) return std::nullopt;
+    const uint32_t part = skin.view.vertex_parts[skin.view.triangles[3 * size_t{hit->triangle}]];
+    return PartHit{skin.parts[part], hit->position, skin.is_image[part]};
 }
 
 }  // namespace
+
+std::optional<SkinHit> pick_skin(const FlgSkinView& skin, std::span<const float> positions, const Ray& ray) {
+    std::optional<SkinHit> found;
+    float nearest = std::numeric_limits<float>::infinity();
+    const auto at = [&](uint32_t vertex) { return glm::make_vec3(positions.data() + 3 * size_t{vertex}); };
+    for (uint32_t t = 0; t < skin.triangle_count; ++t) {
+        const uint32_t* corners = skin.triangles + 3 * size_t{t};
+        const auto met = meet(ray, at(corners[0]), at(corners[1]), at(corners[2]));
+        if (!met || met->x >= nearest) continue;
+        nearest = met->x;
+        found = SkinHit{t, {1.0f - met->y - met->z, met->y, met->z}, ray.origin + nearest * ray.direction};
+    }
+    return found;
+}
 
 std::optional<PartHit> pick_part(const Editor& editor, glm::vec2 px) {
     const View& view = editor.app.view;

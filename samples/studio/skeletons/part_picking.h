@@ -17,6 +17,16 @@ struct PartHit {
 // On the body at rest, as it is shown; where there is none the smallest outline around the place.
 std::optional<PartHit> pick_part(const Editor& editor, glm::vec2 px);
 
+// A point of a skin's surface.
+struct SkinHit {
+    uint32_t triangle;
+    glm::vec3 shares;    // of its corners
+    glm::vec3 position;  // metres
+};
+
+// The nearest along a ray. `positions`: 3 per vertex, of the pose that is shown. Cost: 5 ns a triangle.
+std::optional<SkinHit> pick_skin(const FlgSkinView& skin, std::span<const float> positions, const Ray& ray);
+
 // Of a ring of the part, or of its mirror image; empty where it reaches behind the eye.
 std::vector<glm::vec2> ring_in_window(const View& view, const DrawnPart& part, const Ring& ring,
                                       const glm::vec4* mirror = nullptr);

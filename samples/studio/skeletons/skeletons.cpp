@@ -29,9 +29,20 @@ std::string Skeletons::help() const {
                          "part cuts a hole. Click selects.";
         case Mode::move:
             return "Drag a part to move it, Shift-drag for depth. The handles turn and resize the selected part.";
+        case Mode::points:
+            return editor_.selected() == nullptr
+                       ? "Click a part to see the points of its line."
+                       : "Drag a point, and its neighbours follow. Shift-drag moves it alone. Double-click the line to "
+                         "add a point. Delete removes it.";
         case Mode::refine:
             return "Set the number of bones with the sliders. Click a part, then a branch, to refine only that. Drag a "
                    "joint to pin it.";
+        case Mode::weights:
+            return "Click a joint to see how much of the body follows it. Then paint. Shift-drag takes away what a "
+                   "drag "
+                   "adds.";
+        case Mode::pull:
+            return "Drag any point of the body. It stays where you let go, as a pin. Click a pin to release it.";
         default: return "Drag a joint to pose it. Shift-drag twists its bone. Double-click resets a joint.";
     }
 }
@@ -69,14 +80,21 @@ void Skeletons::drop_tools() {
     editor_.commit();
     draw_.drop();
     move_.drop();
+    points_.leave();
+    paint_.leave();
+    pull_.leave();
     pose_.leave();
     branch_.leave();
     joint_.leave();
 }
 
+void Skeletons::drop_drags() {
+    draw_.drop(), move_.drop(), points_.drop(), paint_.drop(), pull_.drop(), joint_.drop(), pose_.drop();
+}
+
 void Skeletons::set_mode(Mode mode) {
     drop_tools();
-    if (mode != Mode::pose) play(false);
+    if (mode != Mode::pose && mode != Mode::pull) play(false);
     mode_ = mode;
 }
 
@@ -111,9 +129,10 @@ void Skeletons::hide_meshes() {
 void Skeletons::update() {
     editor_.contours.update();
     layer_.update(editor_.drawing().picture);
-    const bool is_changing = move_.is_dragging() || joint_.is_dragging() || is_sliding_;
+    const bool is_changing = move_.is_dragging() || points_.is_dragging() || joint_.is_dragging() || is_sliding_;
     const Body body = is_sliding_ && mode_ == Mode::refine ? Body::none : is_changing ? Body::quick : Body::fine;
     editor_.live.update(editor_.drawing(), body);
+    weights_.update(mode_ == Mode::weights && is_in_front_);
     app_.scene.set_drawing(!editor_.drawing().parts.empty());
     give_surface();
     play_in_scene();
@@ -134,7 +153,7 @@ void Skeletons::give_surface() {
         const DrawnPart* part = editor_.drawing().find(id);
         colors.push_back(part != nullptr ? glm::min(part->color, 1.0f) : glm::vec3(0.5f));
     }
-    if (mesh->surface && given_revision_ == editor_.live.skin_revision() && given_colors_ == colors) return;
+    if (mesh->surface && given_revision_ == editor_.live.shape_revision() && given_colors_ == colors) return;
     const FlgSkinView& view = skin->view;
     std::vector<float> color_of;
     for (uint32_t v = 0; v < view.vertex_count; ++v) {
@@ -154,22 +173,22 @@ void Skeletons::give_surface() {
     filigree::Job job;
     filigree::Surface surface = app_.context.surface(desc, &job);
     app_.scene.supply(*mesh, std::move(surface), std::move(job));
-    given_revision_ = editor_.live.skin_revision();
+    given_revision_ = editor_.live.shape_revision();
     given_colors_ = std::move(colors);
 }
 
 const Rig* Skeletons::shown_rig() const {
     const LiveModel::Skinned* skin = editor_.live.skin();
-    return mode_ == Mode::pose && skin != nullptr ? &skin->rig : editor_.live.rig();
+    return (is_posed() || mode_ == Mode::weights) && skin != nullptr ? &skin->rig : editor_.live.rig();
 }
 
 uint64_t Skeletons::shown_revision() const {
-    const bool is_of_skin = mode_ == Mode::pose && editor_.live.skin() != nullptr;
+    const bool is_of_skin = (is_posed() || mode_ == Mode::weights) && editor_.live.skin() != nullptr;
     return is_of_skin ? 2 * editor_.live.skin_revision() : 2 * editor_.live.rig_revision() + 1;
 }
 
 std::vector<glm::quat> Skeletons::shown_turns(const Rig& rig) const {
-    if (mode_ != Mode::pose) return std::vector<glm::quat>(rig.count(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
+    if (!is_posed()) return std::vector<glm::quat>(rig.count(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
     std::vector<glm::quat> turns = turns_of(rig, editor_.drawing().pose);
     const LiveModel::Skinned* skin = editor_.live.skin();
     return is_playing_ && skin != nullptr ? moved_turns(std::move(turns), app_.seconds - play_from_) : turns;
@@ -191,11 +210,11 @@ void Skeletons::play_in_scene() {
     SceneMesh* mesh = app_.scene.drawing();
     const LiveModel::Skinned* skin = editor_.live.skin();
     if (mesh == nullptr) return;
-    const bool is_of_skin = skin != nullptr && given_revision_ == editor_.live.skin_revision();
+    const bool is_of_skin = skin != nullptr && given_revision_ == editor_.live.shape_revision();
     if (!mesh->plays || is_in_front_ || !is_of_skin) return mesh->bend.rest();
-    if (bent_revision_ != given_revision_ || mesh->bend.skin() == nullptr) {
+    if (bent_revision_ != editor_.live.skin_revision() || mesh->bend.skin() == nullptr) {
         mesh->bend.take(skin->view);
-        bent_revision_ = given_revision_;
+        bent_revision_ = editor_.live.skin_revision();
     }
     if (mesh->bent() == nullptr) play_from_ = app_.seconds;
     const std::vector<glm::quat> still(skin->rig.count(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
@@ -208,10 +227,9 @@ void Skeletons::play_in_scene() {
 
 void Skeletons::show_model() {
     const LiveModel::Skinned* skin = editor_.live.skin();
-    const uint32_t chosen = is_in_front_ && mode_ != Mode::pose ? editor_.selected_id() : 0;
-    picture_.set_body_visible(shown_.body && is_in_front_);
+    const uint32_t chosen = is_in_front_ && !is_posed() && mode_ != Mode::weights ? editor_.selected_id() : 0;
     if (picture_.show_body(skin, editor_.live.skin_revision(), editor_.drawing(), chosen)) transforms_.clear();
-    const glm::vec3 shift = mode_ == Mode::pose ? editor_.drawing().pose.shift : glm::vec3(0.0f);
+    const glm::vec3 shift = is_posed() ? editor_.drawing().pose.shift : glm::vec3(0.0f);
     if (skin != nullptr && skin_floor_of_ != editor_.live.skin_revision()) {
         skin_floor_of_ = editor_.live.skin_revision();
         skin_floor_ = skin->view.positions[1];
@@ -232,6 +250,11 @@ void Skeletons::show_model() {
             transforms_as_ = skinning_;
         }
     }
+    show_weights();
+    show_pulled();
+    const bool has_shape = shows_weights() || shows_pulled();
+    if (!has_shape) picture_.hide_shape();
+    picture_.set_body_visible(shown_.body && is_in_front_ && !has_shape);
     const Rig* rig = shown_rig();
     joints_ = rig == nullptr ? PosedJoints{} : posed(*rig, shown_turns(*rig), shift);
     const bool sees_bones = rig != nullptr && is_in_front_ && shown_.bones;
@@ -239,18 +262,59 @@ void Skeletons::show_model() {
     look.selected_part = chosen;
     if (rig != nullptr && mode_ == Mode::pose) look.bright = pose_.bright(*rig);
     if (rig != nullptr && mode_ == Mode::refine) look.bright = joint_.bright(*rig);
+    if (rig != nullptr && mode_ == Mode::weights) look.bright = paint_.bright(*rig);
     picture_.show_bones(sees_bones ? *rig : Rig{}, shown_revision(), joints_.at, look);
+}
+
+bool Skeletons::shows_weights() const {
+    const LiveModel::Skinned* skin = editor_.live.skin();
+    return is_in_front_ && mode_ == Mode::weights && skin != nullptr && weights_.weights() != nullptr &&
+           paint_.chosen(skin->rig).has_value();
+}
+
+void Skeletons::show_weights() {
+    if (!shows_weights()) return;
+    const LiveModel::Skinned& skin = *editor_.live.skin();
+    const uint32_t joint = *paint_.chosen(skin.rig);
+    const std::vector<float> field = weights_.weights()->of_joint(static_cast<uint16_t>(joint));
+    picture_.show_shape(skin, {skin.view.positions, size_t{3} * skin.view.vertex_count}, field,
+                        {editor_.live.skin_revision(), weights_.revision(), joint});
+}
+
+bool Skeletons::shows_pulled() const {
+    return is_in_front_ && mode_ == Mode::pull && editor_.live.skin() != nullptr && !pull_.solver().positions().empty();
+}
+
+void Skeletons::show_pulled() {
+    if (!is_in_front_ || mode_ != Mode::pull) return;
+    if (editor_.live.skin() == nullptr) return pull_.leave();
+    pull_.update(posed_positions());
+    if (!shows_pulled()) return;
+    picture_.show_shape(*editor_.live.skin(), pull_.solver().positions(), {},
+                        {editor_.live.shape_revision(), pull_.solver().revision(), FLG_NO_INDEX});
+}
+
+std::vector<float> Skeletons::posed_positions() const {
+    const LiveModel::Skinned& skin = *editor_.live.skin();
+    if (editor_.drawing().pose.is_rest() && !is_playing_) return {};
+    std::vector<float> positions(size_t{3} * skin.view.vertex_count);
+    filigree::check(flgSkinDeform(&skin.view, transforms_as_, transforms_.data(), positions.data(), nullptr));
+    return positions;
 }
 
 void Skeletons::pointer(const Pointer& mouse) {
     if (mode_ == Mode::draw) return draw_.pointer(mouse);
     if (mode_ == Mode::move) return move_.pointer(mouse);
+    if (mode_ == Mode::points) return points_.pointer(mouse);
     const Rig* rig = shown_rig();
     const bool has_joints = rig != nullptr && joints_.at.size() == rig->count();
     if (mode_ == Mode::refine) {
         if (!has_joints || !joint_.pointer(mouse, *rig, joints_)) branch_.pointer(mouse);
         return;
     }
+    if (mode_ == Mode::weights)
+        return has_joints && editor_.live.skin() != nullptr ? paint_.pointer(mouse, *rig, joints_) : paint_.leave();
+    if (mode_ == Mode::pull) return pull_.pointer(mouse);
     if (!has_joints) return pose_.leave();
     // A motion that goes on would take the joint away from under the mouse.
     if (is_playing_ && mouse.pressed && mouse.inside) play(false);
@@ -258,17 +322,21 @@ void Skeletons::pointer(const Pointer& mouse) {
 }
 
 void Skeletons::overlay(ImDrawList& list) {
-    if (mode_ == Mode::draw || mode_ == Mode::move) layer_.draw(list, app_.view, editor_.drawing().picture);
-    if (mode_ != Mode::pose) draw_outlines(list);
+    if (mode_ == Mode::draw || mode_ == Mode::move || mode_ == Mode::points)
+        layer_.draw(list, app_.view, editor_.drawing().picture);
+    if (!is_posed() && mode_ != Mode::weights) draw_outlines(list);
     if (mode_ == Mode::draw && editor_.drawing().parts.empty() && !draw_.is_drawing() && !layer_.is_shown())
         draw_invitation(list);
     if (mode_ == Mode::draw) draw_.overlay(list);
     if (mode_ == Mode::move) move_.overlay(list);
+    if (mode_ == Mode::points) points_.overlay(list);
     if (mode_ == Mode::refine) branch_.overlay(list);
+    if (mode_ == Mode::pull) pull_.overlay(list);
     const Rig* rig = shown_rig();
     if (rig == nullptr || joints_.at.size() != rig->count()) return;
     if (mode_ == Mode::refine) joint_.overlay(list, *rig, joints_);
     if (mode_ == Mode::pose) pose_.overlay(list, *rig, joints_);
+    if (mode_ == Mode::weights) paint_.overlay(list, *rig, joints_);
 }
 
 void Skeletons::draw_invitation(ImDrawList& list) const {
@@ -325,20 +393,32 @@ bool Skeletons::shortcut(const Chord& chord) {
         case GLFW_KEY_W: set_mode(Mode::move); return true;
         case GLFW_KEY_E: set_mode(Mode::refine); return true;
         case GLFW_KEY_R: set_mode(Mode::pose); return true;
+        case GLFW_KEY_P: set_mode(Mode::points); return true;
+        case GLFW_KEY_T: set_mode(Mode::weights); return true;
+        case GLFW_KEY_Y: set_mode(Mode::pull); return true;
         case GLFW_KEY_DELETE:
         case GLFW_KEY_BACKSPACE:
+            // Never the part, when a point was meant.
+            if (mode_ == Mode::points) {
+                points_.remove_chosen();
+                return true;
+            }
             drop_tools();
             editor_.remove_selected();
             return true;
         case GLFW_KEY_SPACE:
-            if (mode_ != Mode::pose) return false;
+            if (mode_ == Mode::pull && editor_.drawing().pulls.record) {
+                pull_.play(!pull_.is_playing());
+                return true;
+            }
+            if (!is_posed()) return false;
             play(!is_playing_);
             return true;
         case GLFW_KEY_ESCAPE: {
-            const bool was_drawing = draw_.is_drawing() || editor_.is_acting();
-            draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
+            const bool was_drawing = draw_.is_drawing() || paint_.is_painting() || editor_.is_acting();
+            drop_drags();
             editor_.cancel();
-            if (!was_drawing) editor_.select(0);
+            if (!was_drawing) editor_.select(0), paint_.choose({});
             return true;
         }
         default: return false;
@@ -348,12 +428,18 @@ bool Skeletons::shortcut(const Chord& chord) {
 std::span<const Workspace::Shortcut> Skeletons::shortcuts() const {
     static constexpr Shortcut kShortcuts[] = {
         {"Q, W, E, R", "Draw, move, refine, pose"},
+        {"P, T, Y", "Points of a line, weights, pull"},
         {"Shift+drag in Draw", "Cut a hole in the part"},
         {"Shift+drag in Move", "Move nearer or farther"},
+        {"Shift+drag in Points", "Move a point alone"},
+        {"Double-click in Points", "Add a point to the line"},
+        {"Delete in Points", "Remove the chosen point"},
         {"Drag in Refine", "Pin a joint elsewhere"},
         {"Shift+drag in Pose", "Twist a bone"},
+        {"Shift+drag in Weights", "Take away in place of adding"},
+        {"Click in Pull", "Set or release a pin"},
         {"Double-click in Pose", "Reset a joint"},
-        {"Space in Pose", "Play or stop the test motion"},
+        {"Space in Pose, Pull", "Play or stop the motion"},
         {"Delete", "Delete the selected part"},
         {"Ctrl+D", "Duplicate the selected part"},
         {"Escape", "Drop the drag, or clear the selection"},
@@ -362,20 +448,20 @@ std::span<const Workspace::Shortcut> Skeletons::shortcuts() const {
 }
 
 bool Skeletons::give_up() {
-    const bool has_some = draw_.is_drawing() || editor_.is_acting();
+    const bool has_some = draw_.is_drawing() || paint_.is_painting() || editor_.is_acting();
     if (!has_some) return false;
-    draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
+    drop_drags();
     editor_.cancel();
     return true;
 }
 
 void Skeletons::undo() {
-    draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
+    drop_drags();
     editor_.undo();
 }
 
 void Skeletons::redo() {
-    draw_.drop(), move_.drop(), joint_.drop(), pose_.drop();
+    drop_drags();
     editor_.redo();
 }
 
@@ -387,7 +473,8 @@ float Skeletons::floor() const {
 }
 
 bool Skeletons::busy() const {
-    return is_playing_ || editor_.live.busy() || editor_.contours.busy() || layer_.busy();
+    return is_playing_ || (mode_ == Mode::pull && pull_.busy()) || editor_.live.is_binding() || weights_.busy() ||
+           editor_.live.busy() || editor_.contours.busy() || layer_.busy();
 }
 
 void Skeletons::device_lost() {
@@ -406,6 +493,22 @@ double Skeletons::count(const std::string& name) const {
     if (name == "mirrored") return parts_where([](const DrawnPart& part) { return part.mirrored; });
     if (name == "hidden") return parts_where([](const DrawnPart& part) { return !part.visible; });
     if (name == "holes") return parts_where([](const DrawnPart& part) { return part.contour->rings.size() > 1; });
+    if (name == "points") {
+        size_t points = 0;
+        if (editor_.selected() != nullptr)
+            for (const Ring& ring : editor_.selected()->contour->rings) points += ring.size();
+        return static_cast<double>(points);
+    }
+    if (name == "line_length")
+        return editor_.selected() != nullptr
+                   ? editor_.selected()->scale * length_of(editor_.selected()->contour->rings[0])
+                   : 0.0;
+    if (name == "renamed") {
+        double renamed = 0.0;
+        for (size_t j = 0; rig != nullptr && j < rig->count(); ++j)
+            renamed += rig->names[j] != rig->keys[j] ? 1.0 : 0.0;
+        return renamed;
+    }
     if (name == "faults") return static_cast<double>(editor_.live.fault_count(drawing));
     if (name == "selected") return editor_.selected() != nullptr ? 1.0 : 0.0;
     if (name == "joints") return rig == nullptr ? 0.0 : static_cast<double>(rig->count());
@@ -414,8 +517,28 @@ double Skeletons::count(const std::string& name) const {
     if (name == "pinned")
         return rig == nullptr ? 0.0 : static_cast<double>(std::count(rig->pinned.begin(), rig->pinned.end(), true));
     if (name == "joint_edits") return static_cast<double>(drawing.joint_edits.size());
+    if (name == "weight_strokes") return static_cast<double>(drawing.weight_strokes.size());
+    if (name == "lost_strokes") return static_cast<double>(weights_.lost_count());
+    if (name == "weight") {
+        const LiveModel::Skinned* skin = editor_.live.skin();
+        const auto joint = skin != nullptr ? paint_.chosen(skin->rig) : std::nullopt;
+        if (!joint || weights_.weights() == nullptr) return 0.0;
+        double sum = 0.0;
+        for (const float share : weights_.weights()->of_joint(static_cast<uint16_t>(*joint))) sum += share;
+        return sum / skin->view.vertex_count;
+    }
+    if (name == "pins") return static_cast<double>(drawing.pulls.pins.size());
+    if (name == "lost_pins") return static_cast<double>(pull_.solver().lost_count());
+    if (name == "keys") return drawing.pulls.record ? static_cast<double>(drawing.pulls.record->keys.size()) : 0.0;
+    if (name == "pulled") {
+        const auto positions = pull_.solver().positions();
+        double most = 0.0;
+        for (size_t i = 0; editor_.live.skin() != nullptr && i < positions.size(); ++i)
+            most = std::max(most, static_cast<double>(std::abs(positions[i] - editor_.live.skin()->view.positions[i])));
+        return most;
+    }
     if (name == "turned") return static_cast<double>(drawing.pose.turns.size());
-    if (name == "playing") return is_playing_ ? 1.0 : 0.0;
+    if (name == "playing") return is_playing_ || pull_.is_playing() ? 1.0 : 0.0;
     if (name == "picture") return layer_.is_shown() ? 1.0 : 0.0;
     if (name == "mode") return static_cast<double>(mode_);
     throw StudioError("skeletons has no value named " + name + ".");

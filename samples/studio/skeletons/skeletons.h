@@ -8,17 +8,16 @@
 #include "skeletons/joint_tool.h"
 #include "skeletons/model_picture.h"
 #include "skeletons/move_tool.h"
+#include "skeletons/paint_tool.h"
 #include "skeletons/picture_layer.h"
+#include "skeletons/points_tool.h"
 #include "skeletons/pose_tool.h"
+#include "skeletons/pull_tool.h"
 
 namespace flg::studio {
 
-enum class Mode { draw, move, refine, pose };
-
-// What of it all is shown.
-struct Shown {
-    bool body = true, bones = true, outlines = true, meshes = false;
-};
+// Documents keep their numbers.
+enum class Mode { draw, move, refine, pose, points, weights, pull };
 
 class Skeletons final : public Workspace {
 public:
@@ -55,8 +54,13 @@ public:
     double count(const std::string& name) const override;
 
 private:
+    // What of it all is shown.
+    struct Seen {
+        bool body = true, bones = true, outlines = true, meshes = false;
+    };
     void set_mode(Mode mode);
     void drop_tools();
+    void drop_drags();
     void frame_drawing(const glm::vec3& sight);
     void hide_meshes();
     // The body at rest becomes the scene's drawn model.
@@ -72,13 +76,24 @@ private:
     uint64_t shown_revision() const;
     std::vector<glm::quat> shown_turns(const Rig& rig) const;
     void show_model();
+    bool shows_weights() const;
+    void show_weights();
+    bool shows_pulled() const;
+    void show_pulled();
+    // The body with its bones' pose, on the CPU; empty: at rest.
+    std::vector<float> posed_positions() const;
+    // Whether the body is seen in its pose.
+    bool is_posed() const { return mode_ == Mode::pose || mode_ == Mode::pull; }
     void play(bool on);
 
     void draw_panel();
     void move_panel();
+    void points_panel();
     void refine_panel();
     void joint_panel();
     void pose_panel();
+    void weights_panel();
+    void pull_panel();
     void name_field();
     void take_name();
     void part_panel();
@@ -103,11 +118,15 @@ private:
     PictureLayer layer_;
     DrawTool draw_{editor_};
     MoveTool move_{editor_};
+    PointsTool points_{editor_};
     BranchTool branch_{editor_};
     JointTool joint_{editor_};
     PoseTool pose_{editor_};
+    WeightLayer weights_{editor_};
+    PaintTool paint_{editor_, weights_};
+    PullTool pull_{editor_};
     Mode mode_ = Mode::draw;
-    Shown shown_;
+    Seen shown_;
     bool is_in_front_ = false;
     std::optional<render::Camera> scene_camera_, own_camera_;  // of the one of the two that is not looked through
     uint64_t given_revision_ = 0;                              // of the skin that the scene's model was made of

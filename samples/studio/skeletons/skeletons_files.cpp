@@ -83,7 +83,7 @@ void Skeletons::load(const nlohmann::json& part) {
     was_played_ = false;
     editor_.replace(std::move(drawing));
     const int mode = part.contains("mode") && part["mode"].is_number_integer() ? part["mode"].get<int>() : 0;
-    mode_ = static_cast<Mode>(std::clamp(mode, 0, 3));
+    mode_ = static_cast<Mode>(std::clamp(mode, 0, static_cast<int>(Mode::pull)));
     draw_.depth = 0.0f;
     wants_frame_ = true;
     own_camera_.reset();
@@ -94,10 +94,19 @@ std::span<const Workspace::Export> Skeletons::exports() const {
 }
 
 void Skeletons::write(const Export& what, const std::string& path) {
-    if (std::string(what.extension) == ".json") return write_drawing(editor_.drawing(), path);
+    if (std::string(what.extension) == ".json") {
+        write_drawing(editor_.drawing(), path);
+        const Drawing& drawing = editor_.drawing();
+        if (!drawing.weight_strokes.empty() || !drawing.pulls.pins.empty() || drawing.pulls.record)
+            app_.notices.add(Weight::info,
+                             "Drawings keep no painted weights and no pins. The document and the model (.glb) have the "
+                             "weights, the document has the pins.");
+        return;
+    }
     const LiveModel::Skinned* skin = editor_.live.skin();
     if (skin == nullptr) throw StudioError("There is no body to export. Draw a part first.");
-    if (editor_.live.busy()) throw StudioError("The body is still being built. Export again when it is done.");
+    if (editor_.live.busy() || editor_.live.is_binding() || weights_.busy())
+        throw StudioError("The body is still being built. Export again when it is done.");
     const Pose& pose = editor_.drawing().pose;
     std::vector<FlgSkinAnimation> animations;
     const float start = 0.0f;

@@ -49,21 +49,28 @@ void Skeletons::panel() {
         const char* tip;
     };
     constexpr Choice kModes[] = {{Mode::draw, "Draw", "Draw outlines. Each becomes a part with bones. Q."},
+                                 {Mode::points, "Points", "Drag the points of a part's line. P."},
                                  {Mode::move, "Move", "Move, turn and resize parts. W."},
                                  {Mode::refine, "Refine", "Change the number of bones. E."},
-                                 {Mode::pose, "Pose", "Pose the body by its joints. R."}};
+                                 {Mode::weights, "Weights", "Paint how the body follows its joints. T."},
+                                 {Mode::pose, "Pose", "Pose the body by its joints. R."},
+                                 {Mode::pull, "Pull", "Pull the body at any point. Y."}};
     for (const Choice& choice : kModes) {
-        if (choice.mode != Mode::draw) ui::same_row();
-        if (ui::row_button(choice.label, 4, choice.tip, {.pressed = mode_ == choice.mode})) set_mode(choice.mode);
+        if ((&choice - kModes) % 4 != 0) ui::same_row();
+        if (ui::row_button(choice.label, &choice - kModes < 4 ? 4 : 3, choice.tip, {.pressed = mode_ == choice.mode}))
+            set_mode(choice.mode);
     }
     fault_panel();
     switch (mode_) {
         case Mode::draw: draw_panel(); break;
         case Mode::move: move_panel(); break;
+        case Mode::points: points_panel(); break;
         case Mode::refine: refine_panel(); break;
+        case Mode::weights: weights_panel(); break;
+        case Mode::pull: pull_panel(); break;
         default: pose_panel();
     }
-    if (mode_ != Mode::pose) parts_panel();
+    if (!is_posed() && mode_ != Mode::weights) parts_panel();
     if (mode_ == Mode::draw) picture_panel();
     shown_panel();
 }
@@ -77,6 +84,7 @@ void Skeletons::fault_panel() {
         ui::hint(crosses ? ("The line of '" + part.name + "' crosses itself at the red rings.").c_str()
                          : ("'" + part.name + "': " + state.fault + ".").c_str());
         const uint32_t id = part.id;
+        if (editor_.live.keeps_line(id)) ui::hint("Until then the body keeps the line it had before.");
         if (ui::row_button("Repair", 2, "Removes the loops and keeps the outline.")) {
             editor_.select(id);
             return editor_.repair(id);
@@ -117,6 +125,23 @@ void Skeletons::picture_panel() {
         editor_.change("picture").picture = {};
         editor_.commit();
     }
+}
+
+void Skeletons::points_panel() {
+    ui::heading("Points");
+    const DrawnPart* part = editor_.selected();
+    if (part == nullptr) return ui::hint("Click a part in the view or in the list.");
+    float percent = 100.0f * points_.reach;
+    if (ui::slider("Soft reach", &percent, 0.0f, 50.0f, "%.0f %%",
+                   "How far along the line other points follow the one you drag: a share of the part's size. 0 moves "
+                   "points alone."))
+        points_.reach = 0.01f * percent;
+    size_t points = 0;
+    for (const Ring& ring : part->contour->rings) points += ring.size();
+    ui::hint((std::to_string(points) + " points").c_str());
+    if (ui::row_button("Remove point", 1, "Removes the chosen point. Delete.",
+                       {.enabled = points_.chosen().has_value()}))
+        points_.remove_chosen();
 }
 
 FlgBoneThresholds Skeletons::thresholds() const {
@@ -302,6 +327,92 @@ void Skeletons::pose_panel() {
     ui::same_row();
     if (ui::row_button("Keeps volume", 2, "Keeps the body as thick where bones twist.", {.pressed = !is_linear}))
         skinning_ = FLG_SKINNING_DUAL_QUATERNION;
+}
+
+void Skeletons::weights_panel() {
+    ui::heading("Weights");
+    const LiveModel::Skinned* skin = editor_.live.skin();
+    if (skin == nullptr) return ui::hint("Draw a part first. Then paint its weights here.");
+    const auto joint = paint_.chosen(skin->rig);
+    ui::hint(joint ? ("How much of the body follows " + skin->rig.names[*joint] + ".").c_str()
+                   : "Click a joint in the view.");
+    struct Choice {
+        WeightBrush brush;
+        const char* label;
+        const char* tip;
+    };
+    constexpr Choice kBrushes[] = {{WeightBrush::add, "Add", "The painted place follows the joint more."},
+                                   {WeightBrush::subtract, "Subtract", "The painted place follows the joint less."},
+                                   {WeightBrush::smooth, "Smooth", "Evens out how the place follows all joints."}};
+    for (const Choice& choice : kBrushes) {
+        if (choice.brush != WeightBrush::add) ui::same_row();
+        if (ui::row_button(choice.label, 3, choice.tip, {.pressed = paint_.brush == choice.brush}))
+            paint_.brush = choice.brush;
+    }
+    ui::slider("Brush size", &paint_.radius, 4.0f, 150.0f, "%.0f px", "Radius of the brush on the screen.", true);
+    float percent = 100.0f * paint_.strength;
+    if (ui::slider("Strength", &percent, 1.0f, 100.0f, "%.0f %%",
+                   "How much a touch changes in the middle of the brush."))
+        paint_.strength = 0.01f * percent;
+    ui::toggle("Both sides", &paint_.mirrors, "Paints the mirrored joint on the other side, too.",
+               paint_.is_symmetric());
+    const Drawing& drawing = editor_.drawing();
+    const auto act = [&](auto goes) {
+        editor_.commit();
+        std::erase_if(editor_.change("weights").weight_strokes, goes);
+        editor_.commit();
+    };
+    const std::string key = joint ? skin->rig.keys[*joint] : std::string();
+    const auto is_of_joint = [&](const WeightStrokePtr& stroke) {
+        return stroke->joint == key || stroke->mirror_joint == key;
+    };
+    const bool has_own =
+        joint && std::any_of(drawing.weight_strokes.begin(), drawing.weight_strokes.end(), is_of_joint);
+    if (ui::row_button("Reset weights", 2,
+                       "Forgets what was painted for the chosen joint, and with it for its mirrored "
+                       "one.",
+                       {.enabled = has_own}))
+        act(is_of_joint);
+    ui::same_row();
+    if (ui::row_button("Reset all weights", 2, "Forgets all that was painted.",
+                       {.enabled = !drawing.weight_strokes.empty()}))
+        act([](const WeightStrokePtr&) { return true; });
+    if (weights_.lost_count() == 0) return;
+    ui::hint((std::to_string(weights_.lost_count()) +
+              " strokes have no joint or place on the body now. They are kept for when they have one again.")
+                 .c_str());
+    if (ui::row_button("Forget lost strokes", 1, "Removes the strokes that can't be painted now."))
+        weights_.forget_lost();
+}
+
+void Skeletons::pull_panel() {
+    ui::heading("Pull");
+    const Pulls& pulls = editor_.drawing().pulls;
+    if (editor_.live.skin() == nullptr) return ui::hint("Draw a part first. Then pull it here.");
+    char text[96];
+    std::snprintf(text, sizeof text, "%zu pins", pulls.pins.size());
+    ui::hint(text);
+    if (ui::row_button("Release all pins", 1, "The body goes back to where its bones have it.",
+                       {.enabled = !pulls.pins.empty()}))
+        pull_.release_all();
+    ui::heading("Record");
+    std::snprintf(text, sizeof text, "%zu keys, %.1f s", pulls.record ? pulls.record->keys.size() : size_t{0},
+                  pulls.record ? static_cast<double>(pulls.record->length()) : 0.0);
+    ui::hint(text);
+    if (ui::row_button("Record drags", 2, "While this is on, each drag adds to the record, one after the other.",
+                       {.pressed = pull_.records}))
+        pull_.records = !pull_.records;
+    ui::same_row();
+    if (ui::row_button(pull_.is_playing() ? "Stop" : "Play record", 2, "Plays what was recorded, over and over. Space.",
+                       {.enabled = pulls.record != nullptr, .pressed = pull_.is_playing()}))
+        pull_.play(!pull_.is_playing());
+    if (ui::row_button("Delete record", 2, "Forgets what was recorded.", {.enabled = pulls.record != nullptr}))
+        pull_.forget_record();
+    ui::same_row();
+    if (ui::row_button(is_playing_ ? "Stop bones" : "Move bones", 2,
+                       "Swings every joint while the body is pulled, as the test motion of Pose does.",
+                       {.pressed = is_playing_}))
+        play(!is_playing_);
 }
 
 void Skeletons::shown_panel() {

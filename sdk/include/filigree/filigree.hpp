@@ -2360,6 +2360,33 @@ struct SkinSimplifyDesc : FlgSkinSimplifyDesc {
     }
 };
 
+/// FlgSkinSetWeightsDesc with its defaults.
+struct SkinSetWeightsDesc : FlgSkinSetWeightsDesc {
+    /// The defaults.
+    SkinSetWeightsDesc() { flgSkinSetWeightsDescInit(this, detail::size_of<FlgSkinSetWeightsDesc>); }
+    /// Of the C struct.
+    SkinSetWeightsDesc(const FlgSkinSetWeightsDesc& c) : FlgSkinSetWeightsDesc(c) {}
+    /// The defaults, with skin.
+    SkinSetWeightsDesc(FlgSkin skin_) {
+        flgSkinSetWeightsDescInit(this, detail::size_of<FlgSkinSetWeightsDesc>);
+        skin = skin_;
+    }
+    /// Sets vertex_joints and vertex_count. The array must live until the descriptor is used.
+    void set_vertex_joints(Span<const uint16_t> values) {
+        vertex_joints = values.data();
+        vertex_count = detail::count(values.size(), 4);
+    }
+    /// A list would end before the descriptor is used.
+    void set_vertex_joints(std::initializer_list<uint16_t>) = delete;
+    /// Sets vertex_weights and vertex_count. The array must live until the descriptor is used.
+    void set_vertex_weights(Span<const float> values) {
+        vertex_weights = values.data();
+        vertex_count = detail::count(values.size(), 4);
+    }
+    /// A list would end before the descriptor is used.
+    void set_vertex_weights(std::initializer_list<float>) = delete;
+};
+
 /// A motion of a skin's joints.
 struct SkinAnimation : FlgSkinAnimation {
     /// The defaults.
@@ -3749,6 +3776,20 @@ public:
         FlgSkin out_skin{};
         FlgJob job_made{};
         const FlgResult result = flgSkinSimplify(context_, &desc, &out_skin, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, Skin(context_, out_skin));
+    }
+
+    /// Starts a job that makes the same skin with other weights, as painted ones: all else is the source's, which stays
+    /// as it is. Weights get the sum 1 and the largest first; a joint that a vertex has twice gets both weights.
+    /// Weights out of range are refused at once; another vertex_count than the skin's, or a joint that it does not
+    /// have, makes the job fail with FLG_ERROR_INVALID_ARGUMENT. Cost: 20 ns a vertex in the call, 0.1 us in the job.
+    /// Calls flgSkinSetWeights.
+    Result<Skin> set_weights(SkinSetWeightsDesc desc = {}, Job* out_job = nullptr) const {
+        desc.skin = handle_;
+        FlgSkin out_skin{};
+        FlgJob job_made{};
+        const FlgResult result = flgSkinSetWeights(context_, &desc, &out_skin, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(context_, job_made);
         return detail::made(result, Skin(context_, out_skin));
     }

@@ -421,6 +421,25 @@ FLG_API FlgResult flgSkinSimplifyDescInit(FlgSkinSimplifyDesc* desc, uint32_t st
 FLG_API FlgResult flgSkinSimplify(FlgContext context, const FlgSkinSimplifyDesc* desc, FlgSkin* out_skin,
                                   FlgJob* out_job);
 
+typedef struct FlgSkinSetWeightsDesc {
+    uint32_t struct_size;
+    uint32_t vertex_count;         /* the skin's, as in FlgSkinView. No default */
+    const FlgJobOptions* job;
+    FlgSkin skin;                  /* its job may still run */
+    const uint16_t* vertex_joints; /* 4 per vertex, below the skin's joint_count; those of weight 0 are not read.
+                                      Copied */
+    const float* vertex_weights;   /* 4 per vertex, in any order: 0 to 1, with sum 1 within 0.001. Copied */
+} FlgSkinSetWeightsDesc;
+
+FLG_API FlgResult flgSkinSetWeightsDescInit(FlgSkinSetWeightsDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes the same skin with other weights, as painted ones: all else is the source's, which stays as
+ * it is. Weights get the sum 1 and the largest first; a joint that a vertex has twice gets both weights. Weights out of
+ * range are refused at once; another vertex_count than the skin's, or a joint that it does not have, makes the job fail
+ * with FLG_ERROR_INVALID_ARGUMENT. Cost: 20 ns a vertex in the call, 0.1 us in the job. */
+FLG_API FlgResult flgSkinSetWeights(FlgContext context, const FlgSkinSetWeightsDesc* desc, FlgSkin* out_skin,
+                                    FlgJob* out_job);
+
 /* A motion of a skin's joints. */
 typedef struct FlgSkinAnimation {
     uint32_t struct_size;
@@ -546,6 +565,12 @@ static inline FlgSkinFromMeshDesc flgSkinFromMeshDefaults(void) {
 static inline FlgSkinSimplifyDesc flgSkinSimplifyDefaults(void) {
     FlgSkinSimplifyDesc desc;
     flgSkinSimplifyDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSkinSetWeightsDesc flgSkinSetWeightsDefaults(void) {
+    FlgSkinSetWeightsDesc desc;
+    flgSkinSetWeightsDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -196,6 +196,20 @@ namespace Filigree
             FlgContext context, FlgSkinSimplifyDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSkinSetWeightsDescInit(FlgSkinSetWeightsDesc* desc, uint struct_size);
+
+        /// <summary>
+        /// Starts a job that makes the same skin with other weights, as painted ones: all else is the source's, which
+        /// stays as it is. Weights get the sum 1 and the largest first; a joint that a vertex has twice gets both
+        /// weights. Weights out of range are refused at once; another vertex_count than the skin's, or a joint that it
+        /// does not have, makes the job fail with FlgResult.ErrorInvalidArgument. Cost: 20 ns a vertex in the call, 0.1
+        /// us in the job.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSkinSetWeights(
+            FlgContext context, FlgSkinSetWeightsDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinViewInit(FlgSkinView* view, uint struct_size);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
@@ -317,6 +331,13 @@ namespace Filigree
         {
             FlgSkinSimplifyDesc made;
             flgSkinSimplifyDescInit(&made, (uint)sizeof(FlgSkinSimplifyDesc));
+            return made;
+        }
+
+        public static FlgSkinSetWeightsDesc flgSkinSetWeightsDefaults()
+        {
+            FlgSkinSetWeightsDesc made;
+            flgSkinSetWeightsDescInit(&made, (uint)sizeof(FlgSkinSetWeightsDesc));
             return made;
         }
 

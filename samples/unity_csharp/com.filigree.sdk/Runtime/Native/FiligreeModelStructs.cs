@@ -434,6 +434,20 @@ namespace Filigree
         public FlgSkin skin;
     }
 
+    public unsafe partial struct FlgSkinSetWeightsDesc
+    {
+        public uint struct_size;
+        /// <summary>the skin's, as in FlgSkinView. No default</summary>
+        public uint vertex_count;
+        public FlgJobOptions* job;
+        /// <summary>its job may still run</summary>
+        public FlgSkin skin;
+        /// <summary>4 per vertex, below the skin's joint_count; those of weight 0 are not read. Copied</summary>
+        public ushort* vertex_joints;
+        /// <summary>4 per vertex, in any order: 0 to 1, with sum 1 within 0.001. Copied</summary>
+        public float* vertex_weights;
+    }
+
     /// <summary>A motion of a skin's joints.</summary>
     public unsafe partial struct FlgSkinAnimation
     {
