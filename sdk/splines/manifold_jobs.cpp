@@ -29,6 +29,7 @@ Task<void> make_mesh_manifold(Pace& pace, double smoothing_scale, std::shared_pt
     SampledSurface sampled = co_await sample_mesh(pace, out->surface->mesh(), smoothing_scale);
     out->largest_deviation = sampled.deviation.largest;
     out->mean_deviation = sampled.deviation.mean();
+    out->border = co_await mesh_border(pace, out->surface->mesh(), out->largest_deviation);
     out->manifold = keep(std::move(sampled.surface), pace.memory());
 }
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double uneven = 2.5;             // steps of a chain that is dragged, until nodes are placed anew
 constexpr double coincident = 1e-7;        // of the manifold's size: points that are one
+constexpr double beyond_borders = 0.25;    // of a border edge: where the smooth surface ends
 constexpr double coarse_tolerance = 1e-3;  // of chains that are refined
 
 FlgSplineEnding ending_of(SplineEnding ending) {
@@ -324,6 +325,14 @@ Task<void> minimize_chain(Pace& pace, const SplineRequest& request, SplineProble
 
 namespace {
 
+// Curves on an open mesh go as far as its smooth surface, or stay as far within as they have to.
+void set_border(SplineRequest& request) {
+    const ManifoldProduct& held = *request.out->manifold;
+    if (!held.border || !held.has_normals()) return;
+    request.problem.border = &*held.border;
+    request.problem.within = request.stays_within ? request.within : -beyond_borders * held.border->mean_length();
+}
+
 // On the manifold, without obstacles.
 Task<void> make_smooth_spline(Pace& pace, SplineRequest& request) {
     Spline& out = *request.out;
@@ -331,6 +340,7 @@ Task<void> make_smooth_spline(Pace& pace, SplineRequest& request) {
     SplineProblem& problem = request.problem;
     problem.manifold = held.manifold.get();
     const uint32_t n = problem.manifold->ambient();
+    set_border(request);
     pace.stage("place");
     Buffer<double> given;
     co_await place_spline_points(pace, held, request.points, "desc.points", given, &out.offsets);
@@ -356,6 +366,19 @@ Task<void> make_smooth_spline(Pace& pace, SplineRequest& request) {
     co_await minimize_pieces(pace, request, problem, nodes, out);
 }
 
+// Where nothing else is to be avoided than the borders of the mesh that the curve is on, the optimizer keeps it within.
+void find_own_border(SplineRequest& request) {
+    const ManifoldProduct& held = *request.out->manifold;
+    const Obstacles& all = *request.obstacles;
+    if (!held.border || all.meshes.size() != all.solids.size()) return;
+    for (const Obstacles::OfMesh& mesh : all.meshes) {
+        if (mesh.kind != FLG_OBSTACLE_KIND_BORDER || mesh.surface != held.surface) return;
+    }
+    request.stays_within = true;
+    request.within = all.clearance + request.more_clearance;
+    request.obstacles = nullptr;
+}
+
 // What else is asked for of a curve that is there.
 Task<void> complete(Pace& pace, const SplineRequest& request) {
     Spline& out = *request.out;
@@ -377,6 +400,7 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.on_triangles: desc.manifold is not that of a mesh");
     if (request.desc.surface_points != 0 && !has_triangles)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.surface_points: desc.manifold is not that of a mesh");
+    if (request.obstacles) find_own_border(request);
     if (request.obstacles) {
         co_await make_obstacle_spline(pace, request);
         co_return co_await complete(pace, request);

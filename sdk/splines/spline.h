@@ -87,7 +87,9 @@ struct SplineRequest {
     FlgSplineDesc desc{};                        // checked; its handles are resolved here, its arrays copied
     std::shared_ptr<const Obstacles> obstacles;  // or null
     double more_clearance = 0;                   // beside theirs, m
-    std::optional<PlacedObstacles> placed;       // these from the spline's origin; by the job
+    bool stays_within = false;                   // the borders of the mesh that it is on, by `within` metres
+    double within = 0;
+    std::optional<PlacedObstacles> placed;  // these from the spline's origin; by the job
     Buffer<ObstacleSide> sides;
 };
 

@@ -103,6 +103,8 @@ Task<void> PieceSplitter::split(Pace& pace, const PieceSplitter& s, const Piece&
     out.tolerance = whole.tolerance;
     out.max_rounds = whole.max_rounds;
     out.holds_nodes = whole.holds_nodes;
+    out.border = whole.border;
+    out.within = whole.within;
     out.points = Buffer<double>(size_t{nodes} * n, pace.memory());
     if (whole.hints.size() > 0) out.hints = Buffer<double>(size_t{nodes} * hint, pace.memory());
     co_await each(pace, nodes, Cost::tens_of_ns, [&](uint32_t i) {

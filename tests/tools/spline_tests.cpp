@@ -371,9 +371,9 @@ TEST_F(SplineCommand, KeepsOutOfSolidsThatCutASurface) {
     EXPECT_LT(nearest, 0.03);
 }
 
-// Beyond the square's border on its way, if nothing holds it.
+// As far beyond the square's border as its surface goes, a quarter of an edge, if nothing holds it.
 TEST_F(SplineCommand, StaysBetweenTheBordersOfAnOpenMesh) {
-    folder.write("square.off", square(12).off());
+    folder.write("square.off", square(8).off());
     points({{0.1, 0.8, 0}, {0.3, 0.99, 0}, {0.7, 0.99, 0}, {0.9, 0.8, 0}});
     const auto farthest = [&](const Strings& options) {
         double beyond = 0;

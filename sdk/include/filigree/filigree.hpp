@@ -4982,8 +4982,9 @@ public:
     /// and curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The manifold's
     /// view gives the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets that face the
     /// same way blend where they are closer than an edge length. Tangents jump across edges sharper than about 114
-    /// degrees, where nodes of curves are held (see FlgSplineView). The surface continues a little beyond open borders:
-    /// FLG_OBSTACLE_KIND_BORDER keeps curves from there. Cost: about 1 us a triangle.
+    /// degrees, where nodes of curves are held (see FlgSplineView). Curves may go a quarter of an edge beyond open
+    /// borders, and run along there where they would go farther. FLG_OBSTACLE_KIND_BORDER keeps them within the
+    /// borders. Cost: about 1 us a triangle.
     /// Calls flgManifoldCreateFromSurface.
     Result<Manifold> manifold_from_surface(const ManifoldFromSurfaceDesc& desc, Job* out_job = nullptr) const {
         FlgManifold out_manifold{};

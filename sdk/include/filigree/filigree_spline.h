@@ -76,8 +76,8 @@ FLG_API FlgResult flgManifoldFromSurfaceDescInit(FlgManifoldFromSurfaceDesc* des
  * curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The manifold's view gives
  * the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets that face the same way blend
  * where they are closer than an edge length. Tangents jump across edges sharper than about 114 degrees, where nodes of
- * curves are held (see FlgSplineView). The surface continues a little beyond open borders: FLG_OBSTACLE_KIND_BORDER
- * keeps curves from there.
+ * curves are held (see FlgSplineView). Curves may go a quarter of an edge beyond open borders, and run along
+ * there where they would go farther. FLG_OBSTACLE_KIND_BORDER keeps them within the borders.
  * Cost: about 1 us a triangle. */
 FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFromSurfaceDesc* desc,
                                                FlgManifold* out_manifold, FlgJob* out_job);
@@ -214,8 +214,10 @@ typedef enum FlgObstacleKind {
     FLG_OBSTACLE_KIND_LAYER = 6,    /* space only: everything farther than `radius` from an open surface: curves stay
                                        in a thin layer around it, and so between its borders (sec. 5) */
     FLG_OBSTACLE_KIND_BORDER = 7,   /* space only: the region beyond a surface's open borders, for curves on its
-                                       manifold. Needs no grid, so it is faster and closer than a layer. Rounds
-                                       border corners by about an edge */
+                                       manifold. Alone, without other obstacles, nodes keep within exactly, by the
+                                       clearance, and the curve may run along the border: between two nodes it may cut
+                                       off a corner that points in, a right one by half their distance at most. Beside
+                                       others it is a wall like them, which rounds corners by about an edge */
     FLG_OBSTACLE_KIND_FORCE_32BIT = 0x7fffffff
 } FlgObstacleKind;
 
@@ -351,7 +353,8 @@ typedef struct FlgSplineDesc {
      * where it can't be had, and says near which obstacle and where. A given point inside an obstacle is refused; one
      * that touches is not, and beside it the curve may come nearer by a tenth of the barriers' radius. The initial
      * curve goes around the obstacles; on a surface `sides` has no effect. `start`, `warm_start`, slopes and
-     * subdivisions are ignored; `curve` is refused. Default none */
+     * subdivisions are ignored, but where there is only the border of the manifold's own mesh, beyond which given
+     * points are passed too; `curve` is refused. Default none */
     FlgObstacles obstacles;
     const FlgObstacleSide* sides; /* how the initial curve passes; default null: the shortest way */
     double obstacle_radius;       /* 1e-5 to 0.1. Default 1e-3 */

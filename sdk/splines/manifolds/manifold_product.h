@@ -8,6 +8,7 @@
 #include "filigree/filigree_spline.h"
 #include "runtime/product.h"
 #include "splines/manifolds/manifold.h"
+#include "splines/manifolds/mesh_border.h"
 #include "surfaces/mesh/nearest_points.h"
 #include "surfaces/surface.h"
 
@@ -26,6 +27,7 @@ public:
     Buffer<uint32_t> components;           // of its vertices; empty if it is all of one piece
     std::optional<NearestPoints> nearest;  // of its triangles, as many as there were
     uint32_t nearest_triangles = 0;
+    std::optional<MeshBorder> border;  // of the mesh, where it is open
     // How far vertices or points it is made of are from it, at most and root mean square, m; 0 where it is exact.
     double largest_deviation = 0, mean_deviation = 0;
     // So many coordinates of a point are given and shown, the first ones; the others come from projection. Set at once.

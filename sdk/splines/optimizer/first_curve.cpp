@@ -20,7 +20,9 @@ constexpr uint32_t pieces = 1u << halvings;
 constexpr double max_piece = 4;      // over the mean one
 constexpr uint32_t walk_steps = 16;  // on the straight way
 constexpr uint32_t max_steps = 96;
-constexpr double max_way = 2;  // of a chord, over the projected middle
+constexpr double max_way = 2;       // of a chord, over the projected middle
+constexpr double max_beyond = 0.5;  // of a border edge: farther a first curve does not go beyond a border
+constexpr uint32_t max_looks = 16;  // at the border, a piece
 
 using Point = std::array<double, Manifold::max_ambient>;
 
@@ -67,6 +69,19 @@ bool is_even(const double* points, uint32_t n) {
         whole += piece;
     }
     return largest <= max_piece * whole / pieces;
+}
+
+// Whether a piece of a chord stays on this side of a mesh's borders.
+bool stays_on_mesh(const MeshBorder& border, const double* a, const double* b) {
+    const Vec3 from(a), to(b);
+    const double length = (to - from).norm(), step = max_beyond * border.mean_length();
+    const auto looks = static_cast<uint32_t>(std::clamp(std::ceil(length / step), 1.0, double{max_looks}));
+    for (uint32_t i = 0; i < looks; ++i) {
+        BorderView view;
+        const Vec3 at = from + (i + 0.5) / looks * (to - from);
+        if (border.look(at, nullptr, view) && view.inside < -max_beyond * border.mean_length()) return false;
+    }
+    return true;
 }
 
 // Halves a segment's chord until it has so many pieces, of which the first and the last point are there: middle number
@@ -200,6 +215,11 @@ Task<void> find_first_curve(Pace& pace, const ManifoldProduct& held, GivenPoints
             const Vec3 normal = normal_at(manifold, &out.points[offset + size_t{p} * n]);
             if (p > 0 && normal.dot(last) < 0) found = false;
             last = normal;
+            co_await pace;
+        }
+        for (uint32_t p = 0; found && held.border && held.has_normals() && p < pieces; ++p) {
+            const double* const piece = &out.points[offset + size_t{p} * n];
+            found = stays_on_mesh(*held.border, piece, piece + n);
             co_await pace;
         }
         if (!found) {

@@ -169,6 +169,21 @@ constexpr double epsilon = 0x1p-52;
 // About 4 us on slow manifolds, and 2.
 constexpr uint32_t projection_work = 3, frame_work = 2;
 
+// Of the size: what is not farther from the border is at it.
+constexpr double at_border = 1e-8, least_step = 1e-11;
+constexpr double min_rate = 0.1;        // less, and the border is no wall for the manifold
+constexpr uint32_t confine_rounds = 8;  // of going to the border and onto the manifold
+constexpr uint32_t max_presses = 12;    // solves of a round until it is known which nodes the border keeps
+constexpr uint32_t tried_shrinks = 6;   // of that step, before only those are pressed that are at the border
+constexpr double least_force = 1e-9;    // of the mean one: less is none
+
+// With the basis of a place near it: of the border of parts that face the same way.
+bool look_at_border(const MeshBorder& border, const double* x, const double* basis, uint32_t n, BorderView& out) {
+    if (!basis || n != 3) return border.look(Vec3(x), nullptr, out);
+    const Vec3 normal = Vec3(basis).cross(Vec3(basis + 3));
+    return border.look(Vec3(x), &normal, out);
+}
+
 uint32_t block_size(const SplineProblem& problem) {
     return (problem.bending > 0 ? problem.manifold->ambient() : 0) + problem.manifold->dimension();
 }
@@ -239,6 +254,8 @@ SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
       shift_(nodes_, k_, memory),
       knot_of_(nodes_, memory),
       is_held_(nodes_, memory),
+      walls_(problem.border ? nodes_ : 0, memory),
+      base_(problem.border ? size_t{nodes_} * n_ : 0, memory),
       lengths_(problem.knots.size(), memory),
       spans_(problem.knots.size(), memory),
       system_(nodes_, block_size(problem), problem.closed, memory) {
@@ -271,7 +288,7 @@ Task<void> SplineOptimizer::give_back(Pace& pace, SplineOptimizer& s) {
         co_await each(pace, blocks, Cost::microseconds,
                       [rows, blocks](uint32_t k) { rows->give_back(blocks - 1 - k); });
     }
-    for (Buffer<double>* const buffer : {&s.trial_.points, &s.moment_, &s.trial_.hints}) {
+    for (Buffer<double>* const buffer : {&s.trial_.points, &s.moment_, &s.trial_.hints, &s.base_}) {
         *buffer = Buffer<double>();
         co_await pace;
     }
@@ -288,12 +305,17 @@ Task<bool> SplineOptimizer::next_round(Pace& pace, SplineOptimizer& s) {
         co_await set_parameters(pace, s);
     }
     if (s.is_over()) co_return false;
-    for (;;) {
-        co_await eliminate(pace, s);
-        if (!s.is_indefinite() || !(s.concave_share_ > 0)) break;
-        s.concave_share_ = s.concave_share_ > min_share ? 0.5 * s.concave_share_ : 0;
+    co_await solve(pace, s);
+    for (uint32_t turn = 0; s.has_border() && turn < max_presses; ++turn) {
+        const bool changed = co_await press(pace, s);
+        if (!changed) break;
+        co_await solve(pace, s);
     }
-    co_await substitute(pace, s);
+    bool is_as_begun = !s.has_border();
+    if (!is_as_begun && !(s.slope_ < 0)) {
+        co_await press_as_begun(pace, s);
+        is_as_begun = true;
+    }
     if (!(s.slope_ < 0) || s.largest_ <= 4 * epsilon * s.problem_.manifold->size()) {
         s.report_.ending = SplineEnding::rounding;
         co_return false;
@@ -311,11 +333,45 @@ Task<bool> SplineOptimizer::next_round(Pace& pace, SplineOptimizer& s) {
                 co_return s.report_.ending == SplineEnding::running;
             }
         }
+        if (shrinks == tried_shrinks && !is_as_begun) {
+            co_await press_as_begun(pace, s);
+            is_as_begun = true;
+            s.step_ = 2;
+        }
         if (shrinks <= max_shrinks) continue;
         s.report_.ending = -s.slope_ < s.noise() ? SplineEnding::rounding : SplineEnding::stalled;
         co_return false;
     }
     co_return s.accept();
+}
+
+// Newton's step, with less of what is concave until it is a minimum's.
+Task<void> SplineOptimizer::solve(Pace& pace, SplineOptimizer& s) {
+    if (s.has_border()) co_await each(pace, s.nodes_, Cost::tens_of_ns, [&s](uint32_t node) { s.find_base(node); });
+    for (;;) {
+        co_await eliminate(pace, s);
+        if (!s.is_indefinite() || !(s.concave_share_ > 0)) break;
+        s.concave_share_ = s.concave_share_ > min_share ? 0.5 * s.concave_share_ : 0;
+    }
+    co_await substitute(pace, s);
+}
+
+// Presses nodes that the step would take over the border, and lets those go that it would take inwards if they could.
+// Whether there are any.
+Task<bool> SplineOptimizer::press(Pace& pace, SplineOptimizer& s) {
+    bool changed = false;
+    // Forces look at the shifts of neighbours, which stay until the next solve.
+    co_await each(pace, s.nodes_, Cost::tens_of_ns, [&s, &changed](uint32_t node) {
+        if (s.press_node(node)) changed = true;
+    });
+    co_return changed;
+}
+
+// The step with those pressed that are at the border: it leads down, if not far.
+Task<void> SplineOptimizer::press_as_begun(Pace& pace, SplineOptimizer& s) {
+    co_await each(pace, s.nodes_, Cost::some_ns,
+                  [&s](uint32_t node) { s.walls_[node].pressed = s.walls_[node].began; });
+    co_await solve(pace, s);
 }
 
 // Holds the nodes that a hair's step puts elsewhere than a hair away, or nowhere: there the surface has an edge or a
@@ -390,7 +446,7 @@ Task<void> SplineOptimizer::find_forces(Pace& pace, SplineOptimizer& s) {
     s.forces_ = s.report_.length = 0;
     co_await each(pace, s.nodes_, Cost::tens_of_ns, [&s](uint32_t node) { s.find_gradient(node); });
     s.tangential_ = s.change_ = 0;
-    s.free_nodes_ = 0;
+    s.free_nodes_ = s.report_.pressed = 0;
     co_await each_by_work(pace, s.nodes_, Cost::microseconds, [&s](uint32_t node) {
         s.find_frame(node);
         return frame_work;
@@ -496,7 +552,8 @@ void SplineOptimizer::project_first(uint32_t node) {
     }
     double* const x = at(now_, node);
     if (!is_free(node)) std::copy_n(&problem_.given[size_t{knot_of_[node]} * n_], n_, x);
-    if (!problem_.manifold->project(x, hint_of(now_, node))) {
+    const bool is_on = problem_.manifold->project(x, hint_of(now_, node));
+    if (!is_on || (is_free(node) && !confine(x, hint_of(now_, node), nullptr))) {
         if (projects_) report_.failed_node = node;
         projects_ = false;
     }
@@ -603,15 +660,150 @@ void SplineOptimizer::find_frame(uint32_t node) {
     double* const basis = basis_.make(node);
     const double* const g = gradient_[node];
     problem_.manifold->tangent_basis(at(now_, node), hint_of(now_, node), basis);
+    if (has_border()) find_wall(node);
     if (!is_free(node)) return;
     const double width = 0.5 * ((has_previous(node) ? moments_.step_before(node) : 0) +
                                 (has_next(node) ? moments_.step_after(node) : 0));
     for (uint32_t a = 0; a < k_; ++a) {
+        if (!is_free(node, a)) continue;
         const double along = inner_product(g, basis + a * n_, n_) / width;
         tangential_ += along * along;
     }
     ++free_nodes_;
-    problem_.manifold->second_form(at(now_, node), hint_of(now_, node), basis, g, form_.make(node));
+    double* const form = form_.make(node);
+    problem_.manifold->second_form(at(now_, node), hint_of(now_, node), basis, g, form);
+    if (has_border() && walls_[node].pressed == 1) form[0] += walls_[node].curvature * inner_product(g, basis + n_, n_);
+}
+
+// Which way the border is, and whether the node is pressed against it.
+void SplineOptimizer::find_wall(uint32_t node) {
+    Wall& wall = walls_[node];
+    wall = {};
+    if (!is_free(node)) return;
+    const double* const basis = basis_of(node);
+    BorderView view;
+    if (!look_at_border(*problem_.border, at(now_, node), basis, n_, view)) return;
+    wall.away = view.inside - problem_.within;
+    const bool is_there = wall.away <= at_border * problem_.manifold->size();
+    if (is_there && view.at_vertex) {
+        const Vec3 force = -Vec3(gradient_[node]);
+        const double in_first = force.dot(view.inwards_of[0]), in_second = force.dot(view.inwards_of[1]);
+        // Inwards, of both edges at a corner that points out, of one at another.
+        if (view.points_in ? in_first > 0 || in_second > 0 : in_first > 0 && in_second > 0) return;
+        const double along_first = force.dot(view.ways[0]), along_second = force.dot(view.ways[1]);
+        if (along_first <= 0 && along_second <= 0) {
+            wall.pressed = wall.began = 2;
+            ++report_.pressed;
+            return;
+        }
+        view.inwards = view.inwards_of[along_first < along_second];
+    }
+    face_wall(node, view);
+    if (!wall.is_near || !is_there || !(inner_product(gradient_[node], basis + n_, n_) > 0)) return;
+    wall.pressed = wall.began = 1;
+    ++report_.pressed;
+}
+
+// Turns the basis until its second vector points inwards.
+void SplineOptimizer::face_wall(uint32_t node, const BorderView& view) {
+    Wall& wall = walls_[node];
+    double* const basis = basis_[node];
+    const double u = view.inwards.dot(Vec3(basis)), v = view.inwards.dot(Vec3(basis + n_)), rate = std::hypot(u, v);
+    if (!(rate > min_rate)) return;
+    wall.is_near = true;
+    wall.rate = rate;
+    wall.curvature = view.curvature;
+    for (uint32_t c = 0; c < n_; ++c) {
+        const double first = basis[c], second = basis[n_ + c];
+        basis[c] = (v * first - u * second) / rate;
+        basis[n_ + c] = (u * first + v * second) / rate;
+    }
+}
+
+// Puts a point beyond the border onto it, and onto the manifold. `basis`: of a place near it, or null.
+bool SplineOptimizer::confine(double* x, double* hint, const double* basis) const {
+    if (!has_border()) return true;
+    BorderView view;
+    for (uint32_t round = 0; round < confine_rounds; ++round) {
+        if (!look_at_border(*problem_.border, x, basis, n_, view)) return true;
+        const double by = problem_.within - view.inside;
+        if (by <= least_step * problem_.manifold->size()) return true;
+        // Along the manifold, until it is there.
+        double own[Manifold::max_dimension * Manifold::max_ambient];
+        problem_.manifold->tangent_basis(x, hint, own);
+        const double u = view.inwards.dot(Vec3(own)), v = view.inwards.dot(Vec3(own + n_)), square = u * u + v * v;
+        if (!(square > min_rate * min_rate)) return true;
+        for (uint32_t c = 0; c < n_; ++c) x[c] += by / square * (u * own[c] + v * own[n_ + c]);
+        if (!problem_.manifold->project(x, hint)) return false;
+    }
+    return true;
+}
+
+// Where the step takes a pressed node across the border's way.
+double SplineOptimizer::push_at_wall(uint32_t node) const {
+    const Wall& wall = walls_[node];
+    return wall.pressed == 1 ? -wall.away / wall.rate : 0;
+}
+
+void SplineOptimizer::find_base(uint32_t node) {
+    const double push = push_at_wall(node);
+    const double* const x = at(now_, node);
+    double* const base = &base_[size_t{node} * n_];
+    std::copy_n(x, n_, base);
+    for (uint32_t c = 0; push != 0 && c < n_; ++c) base[c] += push * basis_of(node)[n_ + c];
+}
+
+// Whether it is pressed or let go.
+bool SplineOptimizer::press_node(uint32_t node) {
+    Wall& wall = walls_[node];
+    if (!is_free(node) || !wall.is_near || wall.pressed == 2) return false;
+    if (wall.pressed == 0) {
+        if (wall.away + wall.rate * shift_[node][1] >= -at_border * problem_.manifold->size()) return false;
+        wall.pressed = 1;
+        return true;
+    }
+    // The force that is left once all have moved.
+    const double* const inwards = basis_of(node) + n_;
+    double force = 0;
+    const double pull = pull_at(node);
+    const auto moved = [&](uint32_t of, uint32_t c) {
+        const double* const shift = shift_[of];
+        return at(now_, of)[c] + shift[0] * basis_of(of)[c] + shift[1] * basis_of(of)[n_ + c];
+    };
+    const auto add = [&](uint32_t other, double step, double tension) {
+        const double *const own = system_.solution(node), *const its = system_.solution(other);
+        for (uint32_t c = 0; c < n_; ++c) {
+            force += tension / step * inwards[c] * (moved(node, c) - moved(other, c));
+            if (bends()) force += inwards[c] * (its[c] - own[c]) / step;
+        }
+    };
+    if (has_next(node)) add(next(node), moments_.step_after(node), tension_after(node));
+    if (has_previous(node)) add(previous(node), moments_.step_before(node), tension_after(previous(node)));
+    if (pull > 0) {
+        const double* const given = &problem_.given[size_t{knot_of_[node]} * n_];
+        for (uint32_t c = 0; c < n_; ++c) force += pull * inwards[c] * (moved(node, c) - given[c]);
+    }
+    force += form_[node][2] * shift_[node][0] + form_[node][3] * shift_[node][1];
+    if (force >= -least_force * forces_ / nodes_) return false;
+    wall.pressed = 0;
+    return true;
+}
+
+// Of what bending does not say, at the base.
+double SplineOptimizer::force_along(uint32_t node, uint32_t a, const double* direction) const {
+    const double* const x = &base_[size_t{node} * n_];
+    double force = push_at_wall(node) * form_[node][a * k_ + 1];
+    const auto add = [&](uint32_t other, double weight) {
+        const double* const y = &base_[size_t{other} * n_];
+        for (uint32_t c = 0; c < n_; ++c) force += weight * direction[c] * (x[c] - y[c]);
+    };
+    if (has_next(node)) add(next(node), tension_after(node) / moments_.step_after(node));
+    if (has_previous(node)) add(previous(node), tension_after(previous(node)) / moments_.step_before(node));
+    if (const double pull = pull_at(node); pull > 0) {
+        const double* const given = &problem_.given[size_t{knot_of_[node]} * n_];
+        for (uint32_t c = 0; c < n_; ++c) force += pull * direction[c] * (x[c] - given[c]);
+    }
+    return force;
 }
 
 // Moments at the ends of an open curve have only the parts that Moments gives them.
@@ -643,7 +835,7 @@ void SplineOptimizer::assemble(uint32_t node) {
     Vector own, its;
     for (uint32_t c = 0; c < moments; ++c) diagonal[c * b + c] = -moments_.row(node);
     if (bends()) {
-        moments_.bend(node, now_.points.data(), own);
+        moments_.bend(node, has_border() ? base_.data() : now_.points.data(), own);
         restrict_moment(node, own);
         for (uint32_t c = 0; c < n_; ++c) right[c] = -own[c];
     }
@@ -661,13 +853,13 @@ void SplineOptimizer::assemble(uint32_t node) {
     }
     for (uint32_t a = 0; a < k_; ++a) {
         double* const row = diagonal + (moments + a) * b;
-        row[moments + a] = free ? taut + pull : 1;
-        if (!free) continue;
+        row[moments + a] = is_free(node, a) ? taut + pull : 1;
+        if (!is_free(node, a)) continue;
         direction(node, a, own);
         // What bending does not say is the rest of the gradient.
         const double* const g = gradient_[node];
-        double force = inner_product(g, own, n_);
-        if (bends()) {
+        double force = has_border() ? force_along(node, a, own) : inner_product(g, own, n_);
+        if (bends() && !has_border()) {
             const double* const m = &moment_[size_t{node} * n_];
             if (after > 0)
                 force -=
@@ -677,13 +869,12 @@ void SplineOptimizer::assemble(uint32_t node) {
                          before;
         }
         right[moments + a] = -force;
-        for (uint32_t e = 0; e <= a; ++e) row[moments + e] += form[a * k_ + e];
+        for (uint32_t e = 0; e <= a; ++e) row[moments + e] += is_free(node, e) ? form[a * k_ + e] : 0;
         restrict_moment(node, own);
         for (uint32_t c = 0; c < moments; ++c) row[c] = -stiffness * own[c];
     }
     if (after == 0) return;
     const uint32_t other = next(node);
-    const bool other_free = is_free(other);
     for (uint32_t c = 0; c < moments; ++c) {
         std::fill_n(its, n_, 0.0);
         its[c] = 1;
@@ -691,16 +882,19 @@ void SplineOptimizer::assemble(uint32_t node) {
         restrict_moment(node, its);
         for (uint32_t r = 0; r < n_; ++r) coupling[r * b + c] = -moments_.across(node) * its[r];
     }
-    for (uint32_t a = 0; other_free && a < k_; ++a) {
+    for (uint32_t a = 0; a < k_; ++a) {
+        if (!is_free(other, a)) continue;
         direction(other, a, its);
-        for (uint32_t e = 0; free && e < k_; ++e) {
+        for (uint32_t e = 0; e < k_; ++e) {
+            if (!is_free(node, e)) continue;
             direction(node, e, own);
             coupling[(moments + e) * b + moments + a] = -tension_after(node) / after * inner_product(own, its, n_);
         }
         restrict_moment(node, its);
         for (uint32_t r = 0; r < moments; ++r) coupling[r * b + moments + a] = its[r] / after;
     }
-    for (uint32_t e = 0; free && e < k_; ++e) {
+    for (uint32_t e = 0; e < k_; ++e) {
+        if (!is_free(node, e)) continue;
         direction(node, e, own);
         restrict_moment(other, own);
         for (uint32_t c = 0; c < moments; ++c) coupling[(moments + e) * b + c] = own[c] / after;
@@ -712,7 +906,7 @@ void SplineOptimizer::find_shift(uint32_t node) {
     double* const shift = shift_.make(node);
     double square = 0;
     for (uint32_t a = 0; a < k_; ++a) {
-        shift[a] = is_free(node) ? solution[a] : 0;
+        shift[a] = is_free(node, a) ? solution[a] : has_border() && is_free(node) && a == 1 ? push_at_wall(node) : 0;
         square += shift[a] * shift[a];
         slope_ += shift[a] * inner_product(gradient_[node], basis_of(node) + a * n_, n_);
     }
@@ -728,7 +922,9 @@ void SplineOptimizer::move(uint32_t node) {
         const double by = step_ * shift_[node][a];
         for (uint32_t c = 0; c < n_; ++c) to[c] += by * basis_of(node)[a * n_ + c];
     }
-    if (is_free(node) && !problem_.manifold->project(to, hint_of(trial_, node))) projects_ = false;
+    if (is_free(node) &&
+        (!problem_.manifold->project(to, hint_of(trial_, node)) || !confine(to, hint_of(trial_, node), basis_of(node))))
+        projects_ = false;
     const auto keeps = [&](uint32_t first) {
         const uint32_t second = next(first);
         return problem_.manifold->keeps_sides(at(now_, first), at(now_, second), at(trial_, first), at(trial_, second));

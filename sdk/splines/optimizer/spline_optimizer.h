@@ -15,6 +15,10 @@
 // - Where the surface has an edge or a gap no step of the whole curve may lead down, however short. Nodes that jump
 //   there are held, as if they were given, and the others go on.
 //
+// - Where the surface has a border nodes stay within it. A round finds which of them the step would press against it, by
+//   a primal-dual active set (Hintermueller, Ito, Kunisch 2003): pressed nodes move along the border only, up to it,
+//   and are let go where their force points inwards. At a corner that points out a node may come to rest.
+//
 // Parameters are lengths of the first curve. They are measured again after the paper's heavy change: when one is off by
 // more than a fiftieth of its share.
 //
@@ -30,6 +34,7 @@
 #include "linear/block_tridiagonal.h"
 #include "runtime/each.h"
 #include "splines/manifolds/manifold.h"
+#include "splines/manifolds/mesh_border.h"
 #include "splines/optimizer/natural_cubic.h"
 
 namespace flg {
@@ -135,6 +140,9 @@ struct SplineProblem {
     double tolerance = 1e-6;                       // of the residual
     uint32_t max_rounds = 200;
     bool holds_nodes = false;  // where the surface has edges or gaps; else it ends there, stalled
+    // Of the surface in R^3, or under a barrier; null: none. Free nodes stay so far within, m; below 0: beyond.
+    const MeshBorder* border = nullptr;
+    double within = 0;
 };
 
 enum class SplineEnding : uint32_t { running, converged, rounding, rounds, stalled, failed };
@@ -147,6 +155,7 @@ struct SplineReport {
     uint32_t projections = 0;            // of whole curves
     uint32_t failed_node = 0;            // that could not be projected
     uint32_t held = 0;                   // nodes that stay where the surface has an edge or a gap
+    uint32_t pressed = 0;                // nodes that the border keeps from going on
     double energy = 0;                   // with all weights
     double bending = 0, stretching = 0;  // E2 and E1
     // Tangential part of the fourth derivative (less w times the second, where there is tension): its root mean square
@@ -191,12 +200,23 @@ private:
         double tensed = 0, misfit = 0;       // E1 by shares of tension; sum |x - given|^2 by shares of pull
     };
 
+    // The border near a node. Then the second vector of its basis points inwards.
+    struct Wall {
+        double away;       // m, to go until it is there
+        double rate;       // of that, along the second vector
+        double curvature;  // of the border, see BorderView
+        uint8_t pressed;   // directions that the border takes: none, the second one, or both at a corner
+        uint8_t began;     // the same, as the round began
+        bool is_near;
+    };
+
     static constexpr uint32_t no_knot = 0xffffffffu;
 
     double weighted(const Curve& curve) const {
         return problem_.bending * curve.bending + tension_ * curve.tensed + pull_ * curve.misfit;
     }
     double* at(Curve& curve, uint32_t node) { return &curve.points[size_t{node} * n_]; }
+    const double* at(const Curve& curve, uint32_t node) const { return &curve.points[size_t{node} * n_]; }
     double* hint_of(Curve& curve, uint32_t node) { return curve.hints.data() + size_t{node} * hint_size_; }
     const double* basis_of(uint32_t node) const { return basis_[node]; }
     bool bends() const { return problem_.bending > 0; }
@@ -210,6 +230,11 @@ private:
         const Buffer<double>& shares = moments_.tension_shares();
         return shares.size() > 0 ? tension_ * shares[node] : tension_;
     }
+    // Along the a-th direction of its basis.
+    bool is_free(uint32_t node, uint32_t a) const {
+        return is_free(node) && (!has_border() || walls_[node].pressed == 0 || (walls_[node].pressed == 1 && a == 0));
+    }
+    bool has_border() const { return problem_.border != nullptr; }
     // More are no exceptions.
     uint32_t max_held() const { return nodes_ / 16 + 3; }
     uint32_t next(uint32_t node) const { return node + 1 == nodes_ ? 0 : node + 1; }
@@ -226,6 +251,9 @@ private:
     static Task<void> substitute(Pace& pace, SplineOptimizer& s);
     static Task<bool> try_step(Pace& pace, SplineOptimizer& s);
     static Task<void> hold_jumping(Pace& pace, SplineOptimizer& s);
+    static Task<void> solve(Pace& pace, SplineOptimizer& s);
+    static Task<bool> press(Pace& pace, SplineOptimizer& s);
+    static Task<void> press_as_begun(Pace& pace, SplineOptimizer& s);
     void assess();
     bool needs_parameters() const;
     bool is_over();
@@ -242,6 +270,13 @@ private:
     void add_energy(Curve& curve, uint32_t node);
     void find_gradient(uint32_t node);
     void find_frame(uint32_t node);
+    void find_wall(uint32_t node);
+    void face_wall(uint32_t node, const BorderView& view);
+    bool confine(double* x, double* hint, const double* basis) const;
+    void find_base(uint32_t node);
+    double force_along(uint32_t node, uint32_t a, const double* direction) const;
+    double push_at_wall(uint32_t node) const;
+    bool press_node(uint32_t node);
     void assemble(uint32_t node);
     void restrict_moment(uint32_t node, double* vector) const;
     void find_shift(uint32_t node);
@@ -256,6 +291,8 @@ private:
     RowBlocks<double> basis_, form_, shift_;  // k x n, k x k, k a node
     Buffer<uint32_t> knot_of_;                // by node: its knot, or no_knot
     Buffer<uint8_t> is_held_;                 // by node
+    Buffer<Wall> walls_;                      // by node, where there is a border
+    Buffer<double> base_;                     // n a node: where pressed ones are at the border; likewise
     Buffer<double> pull_shares_;              // by knot, of the strongest pull; empty: 1
     Buffer<double> lengths_, spans_;  // one a knot, of the segment that it begins: of the chain, and of parameters
     BlockTridiagonal system_;

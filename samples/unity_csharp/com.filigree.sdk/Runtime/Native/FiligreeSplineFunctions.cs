@@ -34,8 +34,9 @@ namespace Filigree
         /// normals and curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The
         /// manifold's view gives the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets
         /// that face the same way blend where they are closer than an edge length. Tangents jump across edges sharper
-        /// than about 114 degrees, where nodes of curves are held (see FlgSplineView). The surface continues a little
-        /// beyond open borders: FlgObstacleKind.Border keeps curves from there. Cost: about 1 us a triangle.
+        /// than about 114 degrees, where nodes of curves are held (see FlgSplineView). Curves may go a quarter of an
+        /// edge beyond open borders, and run along there where they would go farther. FlgObstacleKind.Border keeps them
+        /// within the borders. Cost: about 1 us a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromSurface(

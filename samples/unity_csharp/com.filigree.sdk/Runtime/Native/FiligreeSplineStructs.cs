@@ -375,7 +375,8 @@ namespace Filigree
         /// by. The job fails where it can't be had, and says near which obstacle and where. A given point inside an
         /// obstacle is refused; one that touches is not, and beside it the curve may come nearer by a tenth of the
         /// barriers' radius. The initial curve goes around the obstacles; on a surface `sides` has no effect. `start`,
-        /// `warm_start`, slopes and subdivisions are ignored; `curve` is refused. Default none
+        /// `warm_start`, slopes and subdivisions are ignored, but where there is only the border of the manifold's own
+        /// mesh, beyond which given points are passed too; `curve` is refused. Default none
         /// </summary>
         public FlgObstacles obstacles;
         /// <summary>how the initial curve passes; default null: the shortest way</summary>

@@ -55,7 +55,9 @@ namespace Filigree
         Layer = 6,
         /// <summary>
         /// FLG_OBSTACLE_KIND_BORDER: space only: the region beyond a surface's open borders, for curves on its
-        /// manifold. Needs no grid, so it is faster and closer than a layer. Rounds border corners by about an edge
+        /// manifold. Alone, without other obstacles, nodes keep within exactly, by the clearance, and the curve may run
+        /// along the border: between two nodes it may cut off a corner that points in, a right one by half their
+        /// distance at most. Beside others it is a wall like them, which rounds corners by about an edge
         /// </summary>
         Border = 7,
     }
