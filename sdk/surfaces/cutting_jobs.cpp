@@ -110,8 +110,7 @@ Task<void> cut_along_curves(Pace& pace, const TracedCurves& curves, uint32_t fir
 Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
     Surface& surface = *request.field->surface;
     pace.stage("levels");
-    const Buffer<float> levels =
-        co_await list_levels(pace, request.field->data.distances, request.levels, max_cut_levels);
+    const Buffer<float> levels = co_await list_levels(pace, request.field->data, request.levels, max_cut_levels);
     // As many labels as were asked for, also where the field does not reach all levels.
     const auto level_count = request.levels.count > 0 ? request.levels.count : static_cast<uint32_t>(levels.size());
     const std::pmr::vector<RegionLevels> labels = co_await list_labels(pace, request, level_count);

@@ -16,9 +16,9 @@ struct Extent {
     float least = unreachable, largest = -unreachable;
 };
 
-Task<Extent> extent_of(Pace& pace, const Buffer<float>& values) {
+Task<Extent> extent_of(Pace& pace, const DistanceField& field) {
     Extent extent;
-    co_await each(pace, values.size(), Cost::some_ns, [&extent, read = values.data()](uint32_t i) {
+    co_await each_value(pace, field, Cost::some_ns, [&extent, read = field.distances.data()](uint32_t i) {
         if (!std::isfinite(read[i])) return;
         extent.least = std::min(extent.least, read[i]);
         extent.largest = std::max(extent.largest, read[i]);
@@ -47,13 +47,13 @@ Steps steps_within(const Extent& extent, const LevelRequest& request) {
 
 }  // namespace
 
-Task<Buffer<float>> list_levels(Pace& pace, const Buffer<float>& values, const LevelRequest& request, uint32_t most) {
+Task<Buffer<float>> list_levels(Pace& pace, const DistanceField& field, const LevelRequest& request, uint32_t most) {
     Buffer<float> levels;
     if (!request.values.empty()) {
         levels = Buffer<float>(request.values.size(), pace.memory());
         std::copy(request.values.begin(), request.values.end(), levels.begin());
     } else {
-        const Extent extent = co_await extent_of(pace, values);
+        const Extent extent = co_await extent_of(pace, field);
         const Steps steps = steps_within(extent, request);
         const double count = steps.end - steps.first;
         if (count > most) {

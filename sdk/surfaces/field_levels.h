@@ -17,6 +17,6 @@ struct LevelRequest {
 // Those to use, rising. Evenly spaced ones above the largest of the field's values are left out, and those below the
 // smallest if the request does not say how many. Fails with FLG_ERROR_LIMIT if more than `most` are left, or values
 // round to the same.
-Task<Buffer<float>> list_levels(Pace& pace, const Buffer<float>& values, const LevelRequest& request, uint32_t most);
+Task<Buffer<float>> list_levels(Pace& pace, const DistanceField& field, const LevelRequest& request, uint32_t most);
 
 }  // namespace flg

@@ -11,6 +11,8 @@
 #include "runtime/each.h"
 #include "surfaces/geodesics/geodesic_seeds.h"
 #include "surfaces/mesh/mesh_measures.h"
+#include "surfaces/mesh/region_cursor.h"
+#include "surfaces/mesh/region_vertices.h"
 #include "surfaces/surface_inputs.h"
 
 namespace flg {
@@ -58,14 +60,32 @@ struct Query {
     const Buffer<Seed>& seeds;
     const SolveLimits& limits;
     bool labelled;
+    bool may_be_local;
     DistanceField& out;
 };
+
+Task<void> take_local_field(Pace& pace, const Query& query, const RefinedSolver& solver) {
+    DistanceField& out = query.out;
+    out.local = true;
+    out.vertices = co_await vertices_of(pace, query.mesh, query.regions, RegionRim::with);
+    const uint32_t count = solver.vertex_count();
+    out.distances = Buffer<float>(count, pace.memory());
+    out.labels = Buffer<uint32_t>(query.labelled ? count : 0, pace.memory());
+    co_await each_value(pace, out, Cost::tens_of_ns, [&](uint32_t v) {
+        out.distances[v] = solver.distance(v);
+        if (query.labelled) out.labels[v] = solver.label(v);
+    });
+}
 
 Task<void> solve(Pace& pace, const Query& query, const GeodesicBlocks& blocks, RefinedSolver& solver) {
     const GeodesicRegion region = co_await bound_region(pace, query.mesh, query.positions, blocks, query.regions);
     const std::span<const Seed> seeds(query.seeds.data(), query.seeds.size());
     co_await solve_distances(pace, solver, seeds, query.limits, query.labelled, &region);
-    co_await take_field(pace, solver, query.labelled, query.out);
+    if (query.may_be_local && RegionCursor(query.mesh, query.regions).is_local()) {
+        co_await take_local_field(pace, query, solver);
+    } else {
+        co_await take_field(pace, solver, query.labelled, query.out);
+    }
 }
 
 // No way over the surface is shorter than the straight line from its source. Of some points that is soon looked at; of
@@ -76,7 +96,7 @@ Task<void> keep_above_straight_lines(Pace& pace, const Mesh& mesh, const Buffer<
     constexpr size_t max_unlabelled = 16;
     const bool labelled = !field.labels.empty();
     if (places.empty() || (!labelled && places.size() > max_unlabelled)) co_return;
-    co_await each(pace, field.distances.size(), labelled ? Cost::some_ns : Cost::tens_of_ns, [&](uint32_t v) {
+    co_await each_value(pace, field, labelled ? Cost::some_ns : Cost::tens_of_ns, [&](uint32_t v) {
         if (field.distances[v] == unreachable) return;
         const Vec3 at = mesh.position(v);
         double nearest = std::numeric_limits<double>::infinity();
@@ -160,7 +180,7 @@ Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField
                   [&](uint32_t i) { limits.targets.push_back(request.targets[i]); });
 
     pace.stage("solve");
-    const Query query{mesh, positions, request.regions, seeds, limits, request.labelled, out};
+    const Query query{mesh, positions, request.regions, seeds, limits, request.labelled, request.may_be_local, out};
     if (perturbed) {
         RefinedSolver solver(blocks, pace.memory());
         co_await solve(pace, query, blocks, solver);
@@ -182,7 +202,7 @@ Task<void> solve_between(Pace& pace, Surface& surface, const RegionSet& regions,
     const SolveLimits limits{
         .distance = unreachable,
         .targets = {around.begin(), around.end(), std::pmr::polymorphic_allocator<>(pace.memory())}};
-    const Query query{mesh, mesh.positions, regions, seeds, limits, false, out};
+    const Query query{mesh, mesh.positions, regions, seeds, limits, false, false, out};
     co_await solve_on_surface(pace, query, blocks, surface);
     Buffer<Vec3> places(1, pace.memory());
     places[0] = collected.place(source);

@@ -34,6 +34,8 @@ struct GeodesicRequest {
     Buffer<uint32_t> targets;
     bool labelled;
     Perturbation perturbation;
+    // Of small regions the field may be local: to their vertices and the ring of triangles around them.
+    bool may_be_local = false;
 };
 
 // The whole of flgFieldCreateGeodesic. Fails if a source or a target names what does not exist.

@@ -38,7 +38,7 @@ Task<double> trace_stretch(Pace& pace, Surface& surface, const Paths& paths, uin
 Task<void> trace_isolines(Pace& pace, std::shared_ptr<const Field> field, RegionSet regions, LevelRequest levels,
                           std::shared_ptr<TracedCurves> out) {
     pace.stage("levels");
-    const Buffer<float> list = co_await list_levels(pace, field->data.distances, levels, max_isoline_levels);
+    const Buffer<float> list = co_await list_levels(pace, field->data, levels, max_isoline_levels);
     pace.stage("isolines");
     const std::span<const float> values = values_of(*field), at(list.data(), list.size());
     co_await add_isolines(pace, out->surface->mesh(), values, at, regions, out->curves);

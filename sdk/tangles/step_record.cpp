@@ -5,13 +5,11 @@
 
 #include "runtime/each.h"
 #include "surfaces/surface_inputs.h"
+#include "tangles/room_work.h"
 
 namespace flg {
 
 namespace {
-
-// Labels are looked at by so many, which takes tens of ns; a triangle takes so many times as long.
-constexpr uint32_t label_block = 64, look_work = 5;
 
 // So many triangles are looked at of each region, and so many of the mesh beyond these.
 constexpr uint32_t looks_a_region = 16;
@@ -97,21 +95,18 @@ Task<void> record_places(Pace& pace, const Mesh& mesh, uint32_t region_count, St
     const uint32_t triangles = candidates.empty() ? 0 : mesh.triangle_count(), every = triangles / looks_beyond + 1;
     const auto look_at = [&](uint32_t t) {
         Candidate& candidate = candidates[mesh.regions[t] - first];
-        if (candidate.looks >= looks_a_region && t % every != 0) return false;
+        if (candidate.looks >= looks_a_region && t % every != 0) return;
         ++candidate.looks;
         const float room = room_within(mesh, t);
         if (room > candidate.room) {
             candidate.room = room;
             candidate.triangle = t;
         }
-        return true;
     };
-    co_await each_by_work(pace, (size_t{triangles} + label_block - 1) / label_block, Cost::tens_of_ns, [&](uint32_t b) {
-        uint32_t work = 1;
-        for (uint32_t t = label_block * b; t < std::min(triangles, label_block * (b + 1)); ++t)
-            if (mesh.regions[t] >= first && look_at(t)) work += look_work;
-        return work;
-    });
+    Buffer<uint32_t> labels(candidates.size(), pace.memory());
+    co_await each(pace, labels.size(), Cost::some_ns, [&](uint32_t i) { labels[i] = first + i; });
+    const RegionSet made(labels.data(), static_cast<uint32_t>(labels.size()), pace.memory());
+    if (!candidates.empty()) co_await each_within(pace, mesh, made, Cost::tens_of_ns, look_at);
     Buffer<Position> places(candidates.size(), pace.memory());
     co_await each(pace, places.size(), Cost::tens_of_ns, [&](uint32_t i) {
         places[i] = candidates[i].triangle == no_index ? Position{} : middle_of(mesh, candidates[i].triangle);

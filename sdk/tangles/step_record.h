@@ -45,7 +45,7 @@ StepRecords record_step(MacroRequest macro, Memory* memory);
 Task<void> record_seeds(Pace& pace, const Mesh& mesh, StepRecord& record);
 
 // Remembers a place inside each region from the record's first one on: the middle of the roomiest of the few triangles
-// that are looked at. Cost: 0.5 ns a triangle of the mesh, 1 us a region.
+// that are looked at. Cost: some ns a triangle of the regions, 1 us a region.
 Task<void> record_places(Pace& pace, const Mesh& mesh, uint32_t region_count, StepRecord& record);
 
 }  // namespace flg

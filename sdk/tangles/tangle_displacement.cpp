@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfaces/mesh/marks.h"
 #include "surfaces/mesh/mesh_measures.h"
 #include "surfaces/surface_update.h"
 #include "tangles/room_work.h"
@@ -11,9 +12,6 @@
 namespace flg {
 
 namespace {
-
-// Of a vertex that moves, where the look at a triangle is 1.
-constexpr uint32_t move_work = 100;
 
 struct Move {
     uint32_t vertex;
@@ -56,31 +54,25 @@ Task<void> displace_regions(Pace& pace, Tangle& tangle, const DisplaceRequest& r
     TangleSeeds borders(pace.memory());
     borders.borders = FLG_TANGLE_BORDERS_EACH;
     DistanceField field;
-    co_await solve_seeds(pace, tangle.tree, tangle.surface, leaves, borders, "desc.regions", {}, false, field);
+    co_await solve_seeds(pace, tangle.tree, tangle.surface, leaves, borders, "desc.regions", {},
+                         FieldKind{FieldExtent::local, false}, field);
 
     pace.stage("displace");
     const Buffer<float> largest = co_await measure_leaves(pace, mesh, leaves.set, tangle.tree.size(), field);
-    Buffer<uint8_t> seen(mesh.vertex_count(), pace.memory());
-    co_await each(pace, seen.size(), Cost::some_ns, [&](uint32_t v) { seen[v] = 0; });
+    Marks seen = co_await no_marks(pace, mesh.vertex_count());
     // All are found before any moves: normals are those of the surface as it was.
     std::pmr::deque<Move> moves(pace.memory());
-    co_await each_by_work(pace, mesh.triangle_count(), Cost::some_ns, [&](uint32_t t) {
-        const uint32_t label = mesh.regions[t];
-        uint32_t work = 1;
-        if (!leaves.set.contains(label)) return work;
-        const double reach = desc.reach > 0 ? desc.reach : largest[label];
+    co_await each_within(pace, mesh, leaves.set, Cost::hundreds_of_ns, [&](uint32_t t) {
+        const double reach = desc.reach > 0 ? desc.reach : largest[mesh.regions[t]];
         for (const uint32_t vertex : mesh.triangles[t]) {
             const float distance = field.distances[vertex];
-            if (seen[vertex] != 0 || !(distance > 0) || !std::isfinite(distance)) continue;
-            seen[vertex] = 1;
+            if (!(distance > 0) || !std::isfinite(distance) || !seen.set(vertex)) continue;
             const double share = std::min(distance / reach, 1.0);
             const double height = desc.amount * schlick_gain(schlick_bias(share, desc.bias), desc.gain);
             const Vec3 to = mesh.position(vertex) + height * vertex_normal(mesh, vertex);
             moves.push_back(
                 {vertex, {static_cast<float>(to.x()), static_cast<float>(to.y()), static_cast<float>(to.z())}});
-            work += move_work;
         }
-        return work;
     });
 
     pace.commit();

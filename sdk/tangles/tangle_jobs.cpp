@@ -28,6 +28,7 @@ Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& ch
     }
     if (!failure) co_return;
     for (StepRemoval removal(tangle, step); removal.goes_on();) co_await pace;
+    tangle.surface->mesh().region_blocks.doubt(tangle.tree.size());
     std::rethrow_exception(failure);
 }
 
@@ -166,6 +167,7 @@ Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle) {
     Mesh& mesh = tangle->surface->mesh();
     tangle->base = co_await take_fingerprint(pace, mesh);
     co_await each(pace, mesh.triangle_count(), Cost::some_ns, [&](uint32_t t) { mesh.regions[t] = 0; });
+    co_await RegionBlocks::begin(pace, mesh.region_blocks, 0);
 }
 
 Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords records, uint32_t revision) {
@@ -190,6 +192,8 @@ Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords rec
     for (; steps.count() > 0; steps.drop_last()) {
         for (StepRemoval removal(*tangle, steps.last()); removal.goes_on();) co_await pace;
     }
+    // What was undone, and can be made again, may have lost its blocks.
+    tangle->surface->mesh().region_blocks.doubt(tangle->tree.size());
     std::rethrow_exception(failure);
 }
 

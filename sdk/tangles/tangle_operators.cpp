@@ -107,26 +107,32 @@ struct Scene {
 };
 
 // Sec. 3.2: distances from a or, with b, the blend between them.
-Task<void> solve_or_blend(Pace& pace, Tangle& tangle, const Scene& scene, DistanceField& field) {
+Task<void> solve_or_blend(Pace& pace, Tangle& tangle, const Scene& scene, FieldExtent extent, DistanceField& field) {
     pace.stage("field");
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.a, "desc.a",
-                         scene.request.perturbation(), false, field);
+                         scene.request.perturbation(), FieldKind{extent, false}, field);
     if (scene.request.b.empty()) co_return;
     DistanceField other;
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.b, "desc.b",
-                         scene.request.perturbation(), false, other);
-    co_await each(pace, field.distances.size(), Cost::some_ns,
-                  [&](uint32_t v) { field.distances[v] = blend(field.distances[v], other.distances[v]); });
+                         scene.request.perturbation(), FieldKind{extent, false}, other);
+    co_await each_value(pace, field, Cost::some_ns,
+                        [&](uint32_t v) { field.distances[v] = blend(field.distances[v], other.distances[v]); });
 }
 
 // Makes leaves of a partition's components and labels the triangles with them.
 Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const RegionPartition& partition,
                        const Buffer<NewLeaf>& leaves, MeshEdit& edit, TreeEdit& tree_edit) {
+    const RegionId first = tangle.tree.size();
     const LeafRules rules{scene.request.desc.grouping, scene.request.desc.cycle, scene.request.desc.scaffold != 0};
     const Buffer<RegionId> regions = co_await add_leaves(pace, tangle.tree, tree_edit, leaves, rules);
     Mesh& mesh = scene.surface.mesh();
-    co_await each_within(pace, mesh, partition.leaves, Cost::tens_of_ns,
-                         [&](uint32_t t) { edit.set_region(mesh, t, regions[partition.component_of(t)]); });
+    RegionCursor cursor(mesh, partition.leaves);
+    co_await RegionBlocks::restart(pace, mesh.region_blocks, first);
+    co_await each_within(pace, cursor, Cost::tens_of_ns, [&](uint32_t t) {
+        const RegionId region = regions[partition.component_of(t)];
+        mesh.region_blocks.add(region, t);  // also where it is the label of the cut
+        edit.set_region(mesh, t, region);
+    });
 }
 
 // ---- Contours
@@ -136,7 +142,7 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
     LevelRequest asked;
     asked.count = scene.request.desc.count;
     asked.first = asked.every = scene.request.desc.delta;
-    const Buffer<float> levels = co_await list_levels(pace, field.distances, asked, max_cut_levels);
+    const Buffer<float> levels = co_await list_levels(pace, field, asked, max_cut_levels);
     const auto bands = static_cast<uint32_t>(levels.size() + 1);
     const uint32_t first = tangle.tree.size();
     const uint64_t end = first + uint64_t{scene.leaves.list.size()} * bands;
@@ -149,7 +155,9 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
     });
     Buffer<uint32_t> band_labels(end - first, pace.memory());
     co_await each(pace, band_labels.size(), Cost::some_ns, [&](uint32_t i) { band_labels[i] = first + i; });
-    GrowingBuffer<float> values = co_await copy_values(pace, field.distances);
+    GrowingBuffer<float> values(field.distances.size(), pace.memory());
+    co_await each_value(pace, field, Cost::some_ns,
+                        [to = values.data(), from = field.distances.data()](uint32_t v) { to[v] = from[v]; });
 
     pace.stage("cut");
     pace.commit();
@@ -275,7 +283,7 @@ Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const Surfa
 
 Task<void> trace_streams(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCurves& curves) {
     DistanceField field;
-    co_await solve_or_blend(pace, tangle, scene, field);
+    co_await solve_or_blend(pace, tangle, scene, FieldExtent::whole, field);
     pace.stage("streams");
     const TangleSeeds& a = scene.request.a;
     LeafSet own(pace.memory());
@@ -293,7 +301,7 @@ Task<void> trace_cells(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCu
     pace.stage("field");
     DistanceField cells;
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.a, "desc.a",
-                         scene.request.perturbation(), true, cells);
+                         scene.request.perturbation(), FieldKind{FieldExtent::local, true}, cells);
     pace.stage("cells");
     curves = co_await voronoi_borders(pace, scene.surface.mesh(), scene.leaves.set, cells);
 }
@@ -387,7 +395,7 @@ Task<void> divide_regions(Pace& pace, Tangle& tangle, const DivideRequest& reque
     const Scene scene{*tangle.surface, leaves, request, revision};
     if (request.desc.kind == FLG_TANGLE_OPERATOR_CONTOUR) {
         DistanceField field;
-        co_await solve_or_blend(pace, tangle, scene, field);
+        co_await solve_or_blend(pace, tangle, scene, FieldExtent::local, field);
         co_await cut_contours(pace, tangle, scene, field, step);
         co_return;
     }

@@ -288,7 +288,7 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
 
 Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr<Surface>& surface,
                        const LeafSet& leaves, const TangleSeeds& seeds, const char* argument, Perturbation perturbation,
-                       bool labelled, DistanceField& field) {
+                       FieldKind kind, DistanceField& field) {
     LeafSet own(pace.memory());
     if (!seeds.regions.empty()) own = co_await list_leaves(pace, tree, seeds.regions, argument);
     const RegionSet& within = seeds.regions.empty() ? leaves.set : own.set;
@@ -301,8 +301,9 @@ Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr
                                   .regions = std::move(bound),
                                   .max_distance = unreachable,
                                   .targets = {},
-                                  .labelled = labelled,
-                                  .perturbation = perturbation};
+                                  .labelled = kind.labelled,
+                                  .perturbation = perturbation,
+                                  .may_be_local = kind.extent == FieldExtent::local};
     co_await solve_field(pace, request, field);
 }
 

@@ -83,10 +83,17 @@ struct SeedPlaces {
 Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet& leaves, const TangleSeeds& seeds,
                                    const char* argument, SeedPlaces& places);
 
+// Whether all vertices are to have values, or those of the leaves and the ring around them will do.
+enum class FieldExtent { whole, local };
+struct FieldKind {
+    FieldExtent extent;
+    bool labelled;
+};
+
 // Distances within `leaves` from the seeds, whose regions are their own or, if they have none, the leaves.
 Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr<Surface>& surface,
                        const LeafSet& leaves, const TangleSeeds& seeds, const char* argument, Perturbation perturbation,
-                       bool labelled, DistanceField& field);
+                       FieldKind kind, DistanceField& field);
 
 // Where streams begin: evenly along the seeds' loops, stretches and lines, in their order, about `spacing` metres
 // apart.

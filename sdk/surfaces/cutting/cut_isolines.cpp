@@ -7,6 +7,7 @@
 #include "core/failure.h"
 #include "runtime/each.h"
 #include "surfaces/cutting/cut_pieces.h"
+#include "surfaces/mesh/block_map.h"
 
 namespace flg {
 
@@ -156,6 +157,7 @@ private:
     GrowingBuffer<float>& field_;
     const uint32_t field_column_;
     const CutLevels levels_;
+    BlockMap map_;  // of the regions
     MeshEdit& edit_;
     TriangleSet crossed_;
     Buffer<CutTriangle> slots_;
@@ -179,6 +181,7 @@ IsolineCutter::IsolineCutter(Mesh& mesh, MeshColumns& columns, uint32_t field, c
       field_(columns[field].values),
       field_column_(field),
       levels_(levels),
+      map_(mesh, memory),
       edit_(edit),
       crossed_(mesh.triangle_count(), memory),
       snaps_(memory),
@@ -189,11 +192,15 @@ IsolineCutter::IsolineCutter(Mesh& mesh, MeshColumns& columns, uint32_t field, c
       high_(levels.count() == 0 ? infinite : levels[0]),
       vertices_(mesh.vertex_count()),
       triangles_(mesh.triangle_count()) {
+    for (const RegionLevels& listed : levels_.regions())
+        if (!map_.add(listed.region)) break;
+    map_.close();
     edit.begin(mesh);
 }
 
 // Of 64 triangles labels those of the regions that no level touches, marks the others.
 void IsolineCutter::scan(uint32_t word) {
+    if (!map_.holds(word)) return;
     const uint32_t first = 64 * word, end = std::min(first + 64, mesh_.triangle_count());
     uint32_t others = 0;  // labels
     for (uint32_t triangle = first; triangle < end; ++triangle) others |= mesh_.regions[triangle] ^ region_;

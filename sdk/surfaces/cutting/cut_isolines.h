@@ -63,6 +63,7 @@ public:
     // level lies below it.
     uint32_t interval(float low, float high) const { return low < high ? up_to(low) : below(low); }
 
+    std::span<const RegionLevels> regions() const { return regions_; }
     // Null for regions that are not cut.
     const RegionLevels* find(uint32_t region) const {
         const auto found =

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "runtime/each.h"
 #include "surfaces/mesh/surface_point.h"
 
 namespace flg {
@@ -34,7 +35,18 @@ struct SolveLimits {
 struct DistanceField {
     Buffer<float> distances;  // metres; `unreachable` where no path leads, or none within the limits
     Buffer<uint32_t> labels;  // of the nearest source, no_index where unreachable; empty unless asked for
+    // The vertices that have a value, rising; all others have none. If it is not `local`, all have one.
+    Buffer<uint32_t> vertices;
+    bool local = false;
 };
+
+// body(vertex) for all that have a value.
+template <class Body>
+Task<void> each_value(Pace& pace, const DistanceField& field, Cost cost, Body body) {
+    if (!field.local) return each(pace, field.distances.size(), cost, body);
+    return each(pace, field.vertices.size(), cost,
+                [body, vertices = field.vertices.data()](uint32_t i) { body(vertices[i]); });
+}
 
 // The blend of two distance fields, sec. 3.2 of Nazzaro, Puppo, Pellacini: geoTangle (2021): from / (from + to), 0 at
 // the first's sources and 1 at the second's. In the middle where both are 0, `unreachable` where both are; else where

@@ -217,7 +217,8 @@ bool EdgeFlipper::is_free(uint32_t triangle) {
     return !surface_.flipped_before || !surface_.flipped_before->find(triangle);
 }
 
-// False if no edge is left, or a group is in the way.
+// False if no edge is left. Where groups are in the way the edge stays: all flips are done again without them, and it
+// is better to know of many by then than to begin again for each.
 bool EdgeFlipper::flip_next() {
     if (queue_.empty()) return false;
     const Corner edge = queue_.front();
@@ -231,15 +232,15 @@ bool EdgeFlipper::flip_next() {
     bool is_inside = false;
     const double diagonal = quad.other_diagonal(is_inside);
     if (!is_inside) return true;
-    bool are_free = is_free(upper) && is_free(lower);
+    bool are_free = is_free(upper);
+    are_free = is_free(lower) && are_free;
     for (uint32_t k = 1; k < 3; ++k) {
         for (const Corner outer :
              {quad.upper.across[(quad.upper_edge + k) % 3], quad.lower.across[(quad.lower_edge + k) % 3]}) {
-            if (outer != no_index) are_free = are_free && is_free(triangle_of(outer));
+            if (outer != no_index) are_free = is_free(triangle_of(outer)) && are_free;
         }
     }
-    if (!are_free) return request_.given_up.empty();
-    flip(upper, lower, quad, diagonal);
+    if (are_free) flip(upper, lower, quad, diagonal);
     return true;
 }
 

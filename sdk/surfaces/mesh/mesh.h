@@ -15,6 +15,7 @@
 
 #include "core/vec.h"
 #include "surfaces/mesh/growing_buffer.h"
+#include "surfaces/mesh/region_blocks.h"
 
 namespace flg {
 
@@ -41,13 +42,19 @@ constexpr Corner previous_corner(Corner corner) {
 
 struct Mesh {
     explicit Mesh(Memory* memory)
-        : positions(memory), triangles(memory), neighbours(memory), regions(memory), corner_of_vertex(memory) {}
+        : positions(memory),
+          triangles(memory),
+          neighbours(memory),
+          regions(memory),
+          corner_of_vertex(memory),
+          region_blocks(memory) {}
 
     GrowingBuffer<Position> positions;         // metres
     GrowingBuffer<Triple> triangles;           // vertices, counter-clockwise seen from outside
     GrowingBuffer<Triple> neighbours;          // the triangle across edge k, no_index at a border
     GrowingBuffer<uint32_t> regions;           // a triangle's label
     GrowingBuffer<uint32_t> corner_of_vertex;  // one of its corners
+    RegionBlocks region_blocks;                // where labels may be; MeshEdit keeps them
 
     uint32_t vertex_count() const { return static_cast<uint32_t>(positions.size()); }
     uint32_t triangle_count() const { return static_cast<uint32_t>(triangles.size()); }

@@ -63,7 +63,10 @@ public:
     // Triangles in rising order make long runs.
     void set_region(Mesh& mesh, uint32_t triangle, uint32_t label) {
         uint32_t& region = mesh.regions[triangle];
-        if (triangle < before_.triangles && region != label) remember_label(triangle, region, label);
+        const bool was_there = triangle < before_.triangles;
+        if (was_there && region == label) return;
+        if (was_there) remember_label(triangle, region, label);
+        mesh.region_blocks.add(label, triangle);
         region = label;
     }
 

@@ -22,6 +22,7 @@ Task<void> give_back(Pace& pace, Mesh& mesh, MeshColumns& columns) {
     mesh.regions = {};
     co_await pace;
     mesh.corner_of_vertex = {};
+    while (mesh.region_blocks.give_back()) co_await pace;
     for (; !columns.empty(); columns.pop_back()) co_await pace;
 }
 

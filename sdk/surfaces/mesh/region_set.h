@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -40,6 +41,18 @@ public:
     RegionSet& operator=(RegionSet&&) = default;  // NOLINT(performance-noexcept-move-constructor)
 
     bool all() const { return all_; }
+    Memory* memory() const { return page_of_.get_allocator().resource(); }
+    // visit(label) for those listed, rising, until it returns false.
+    template <class Visit>
+    void visit(Visit visit) const {
+        for (uint32_t place = 0; place < page_of_.size(); ++place) {
+            if (page_of_[place] == no_page) continue;
+            const Page& page = pages_[page_of_[place]];
+            for (uint32_t word = 0; word < page.size(); ++word)
+                for (uint64_t left = page[word]; left != 0; left &= left - 1)
+                    if (!visit(place * page_labels + 64 * word + static_cast<uint32_t>(std::countr_zero(left)))) return;
+        }
+    }
     bool contains(uint32_t label) const {
         if (all_) return true;
         const uint32_t place = label / page_labels, bit = label % page_labels;

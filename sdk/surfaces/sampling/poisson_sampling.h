@@ -26,6 +26,7 @@
 #include "runtime/each.h"
 #include "surfaces/geodesics/refined_solver.h"
 #include "surfaces/mesh/mesh_measures.h"
+#include "surfaces/mesh/region_vertices.h"
 #include "surfaces/sampling/spaced_points.h"
 
 namespace flg {
@@ -43,13 +44,10 @@ struct SampleGroup {
     }
 };
 
-// The vertices of the regions, rising.
-Task<std::pmr::deque<uint32_t>> sample_candidates(Pace& pace, const Mesh& mesh, const RegionSet& regions);
-
 // The first points: chosen in space among as many of the candidates as that takes, drawn evenly. `distances`: of each
 // of those from what points keep away from.
 template <class Solver>
-Task<void> sample_in_space(Pace& pace, const Mesh& mesh, const std::pmr::deque<uint32_t>& candidates, Solver& solver,
+Task<void> sample_in_space(Pace& pace, const Mesh& mesh, const Buffer<uint32_t>& candidates, Solver& solver,
                            float radius, uint32_t max_count, uint64_t seed, std::pmr::deque<uint32_t>& samples) {
     const size_t count =
         std::min(candidates.size(), size_t{std::min(max_count, max_spaced_points)} * vertices_a_spaced_point);
@@ -98,7 +96,7 @@ Task<Buffer<uint32_t>> sample_poisson(Pace& pace, const Mesh& mesh, const Region
     constexpr uint32_t group_size = 64;
     constexpr size_t large = 16'384;  // candidates; with fewer all points are the furthest of all vertices
     std::pmr::deque<uint32_t> samples(pace.memory());
-    const std::pmr::deque<uint32_t> candidates = co_await detail::sample_candidates(pace, mesh, regions);
+    const Buffer<uint32_t> candidates = co_await vertices_of(pace, mesh, regions, RegionRim::without);
     if (candidates.size() >= large && max_count != 0)
         co_await detail::sample_in_space(pace, mesh, candidates, solver, radius, max_count, seed, samples);
 
