@@ -522,6 +522,42 @@ TEST(RefinedSolver, StaysWithinJaggedRegionsOfUnevenTriangles) {
     }
 }
 
+// Triangles that were flipped lie here and there, some of them beyond a region's border alone.
+TEST(RefinedSolver, StaysWithinRegionsBesideFlips) {
+    Soup soup = plane(40);
+    for (uint32_t v = 0; v < soup.positions.size(); ++v) {
+        for (uint32_t k = 0; k < 3; ++k)
+            soup.positions[v][k] += static_cast<float>(0.022 * (random_unit(1, v, k) - 0.5));
+    }
+    Mesh mesh = make_mesh(soup);
+    Geodesics geodesics(mesh);
+    ASSERT_FALSE(geodesics.blocks.flipped.empty());
+    for (uint32_t size = 3; size < 12; ++size) {
+        std::vector<uint8_t> inside(mesh.vertex_count(), 0);
+        uint32_t source = no_index;
+        for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+            const Vec3 corner = mesh.position(mesh.triangles[t][0]);
+            const auto row = static_cast<int>(std::floor(40 * corner.x() / size)),
+                       column = static_cast<int>(std::floor(40 * corner.y() / size));
+            mesh.regions[t] = row == 1 && column == 1 ? 1 : 0;
+            if (mesh.regions[t] == 0) continue;
+            for (const uint32_t v : mesh.triangles[t]) inside[v] = 1;
+            source = mesh.triangles[t][0];
+        }
+        const uint32_t label[] = {1};
+        const RegionSet within(label, 1, test_memory());
+        const GeodesicRegion region = run_haltingly(test_memory(), [&](Pace& pace) {
+            return bound_region(pace, mesh, mesh.positions, geodesics.blocks, within);
+        });
+        const auto distances = geodesics.distances({{source, 0, 0}}, {}, true, &region);
+        for (uint32_t v = 0; v < distances.size(); ++v) {
+            if (inside[v] == 0) {
+                EXPECT_EQ(distances[v], unreachable) << size << ", " << v;
+            }
+        }
+    }
+}
+
 TEST(RefinedSolver, TakesDegenerateTrianglesAndFansOfAThousand) {
     // A cone of many slivers, one of its triangles without area, and two vertices in one place.
     Soup soup;
