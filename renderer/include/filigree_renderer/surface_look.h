@@ -24,13 +24,13 @@ constexpr uint32_t no_texture = 0xffffffffu;
 
 struct Material {
     glm::vec3 color{0.42f, 0.36f, 0.31f};
-    uint32_t texture = no_texture;  // of the look's: its colour, times this one
-    float metallic = 0.0f;          // 0 = paint, clay, wood to 1 = bare metal
-    float roughness = 0.5f;         // 0 = polished to 1 = matte
+    float metallic = 0.0f;   // 0 = paint, clay, wood to 1 = bare metal
+    float roughness = 0.5f;  // 0 = polished to 1 = matte
     // Lines between regions of this label and those of lower labels, in place of the look's: 0.5 to 64 pixels; 0 = the
     // look's lines.
     float border_width_px = 0.0f;
     glm::vec3 border_color{0.02f, 0.02f, 0.03f};
+    uint32_t texture = no_texture;  // of the look's: its colour, times this material's
 };
 
 // Later fields are drawn over earlier ones.
