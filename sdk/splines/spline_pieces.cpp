@@ -54,9 +54,8 @@ struct Joined {
 
 class PieceSplitter {
 public:
-    PieceSplitter(const SplineRequest& request, const SplineProblem& whole)
-        : request_(request),
-          whole_(whole),
+    explicit PieceSplitter(const SplineProblem& whole)
+        : whole_(whole),
           n_(whole.manifold->ambient()),
           count_(static_cast<uint32_t>(whole.knots.size())),
           nodes_(static_cast<uint32_t>(whole.points.size() / n_)) {}
@@ -87,7 +86,6 @@ private:
         return whole_.softness.size() > 0 ? whole_.softness[point % count_] : whole_.smoothing;
     }
 
-    const SplineRequest& request_;
     const SplineProblem& whole_;
     uint32_t n_, count_, nodes_;
 };
@@ -212,7 +210,7 @@ Task<void> keep(Pace& pace, const Joined& joined, uint32_t first, double paramet
 
 Task<void> minimize_pieces(Pace& pace, const SplineRequest& request, SplineProblem& whole, uint32_t nodes,
                            Spline& out) {
-    const PieceSplitter splitter(request, whole);
+    const PieceSplitter splitter(whole);
     const auto at_first = static_cast<uint32_t>(whole.points.size() / whole.manifold->ambient());
     const uint32_t first_intervals = whole.closed ? at_first : at_first - 1,
                    intervals = whole.closed ? nodes : nodes - 1;
