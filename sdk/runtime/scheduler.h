@@ -127,7 +127,7 @@ private:
     std::condition_variable publishable_;
     std::array<ReadyQueue, 2 * priority_count + 1> ready_;  // the last first
     uint32_t ready_count_ = 0;
-    std::shared_ptr<Job> started_;   // list of jobs that ran for the first time since the last tick
+    std::shared_ptr<Job> started_;         // list of jobs that ran for the first time since the last tick
     std::shared_ptr<Job> first_settling_;  // jobs that are done and whose dependents are to be told
     Job* last_settling_ = nullptr;
     Job* first_finished_ = nullptr;  // done and not published, in order of submission

@@ -263,7 +263,7 @@ typedef struct FlgTexture {
     FlgTextureWrap wrap_u;  /* Default FLG_TEXTURE_WRAP_REPEAT */
     FlgTextureWrap wrap_v;
     const uint8_t* picture; /* a PNG or JPEG file, picture_size bytes; sRGB */
-    uint64_t picture_size;
+    uint64_t picture_size;  /* bytes */
     const char* name;       /* UTF-8, at most 255 bytes; null: none. Default null */
 } FlgTexture;
 

@@ -223,6 +223,7 @@ namespace Filigree
         public FlgTextureWrap wrap_v;
         /// <summary>a PNG or JPEG file, picture_size bytes; sRGB</summary>
         public byte* picture;
+        /// <summary>bytes</summary>
         public ulong picture_size;
         /// <summary>UTF-8, at most 255 bytes; null: none. Default null</summary>
         public byte* name;
