@@ -62,7 +62,7 @@ LargeBlocks::~LargeBlocks() {
 }
 
 void* LargeBlocks::take(size_t size) {
-    if (size > SIZE_MAX / 2) throw std::bad_alloc();
+    if (size > size_t{1} << most_log2) throw std::bad_alloc();
     const SizeClass wanted = class_of(size);
     {
         std::lock_guard lock(mutex_);

@@ -26,7 +26,7 @@ public:
     LargeBlocks& operator=(const LargeBlocks&) = delete;
     ~LargeBlocks();
 
-    // At least `least` bytes, aligned to a page; std::bad_alloc if the system has no more.
+    // At least `least` bytes, aligned to a page; std::bad_alloc if the system has no more, and beyond 256 GB.
     void* take(size_t size);
     // Constant time. `size` as it was asked for.
     void give_back(void* block, size_t size) noexcept;
@@ -44,7 +44,8 @@ private:
         size_t size;
         uint32_t frame;
     };
-    static constexpr uint32_t steps = 4, least_log2 = 16, class_count = (64 - least_log2) * steps;
+    static constexpr uint32_t steps = 4, least_log2 = 16, most_log2 = 38;  // sizes
+    static constexpr uint32_t class_count = (most_log2 + 1 - least_log2) * steps;
 
     struct SizeClass {
         uint32_t index;

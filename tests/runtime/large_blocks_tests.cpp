@@ -35,6 +35,12 @@ TEST(LargeBlocks, HoldWhatWasAskedForAtEverySize) {
     EXPECT_TRUE(blocks.has_unwanted());
 }
 
+TEST(LargeBlocks, RefuseWhatNoSystemHas) {
+    LargeBlocks blocks;
+    EXPECT_THROW(static_cast<void>(blocks.take((size_t{1} << 38) + 1)), std::bad_alloc);
+    EXPECT_THROW(static_cast<void>(blocks.take(SIZE_MAX - 4)), std::bad_alloc);
+}
+
 TEST(LargeBlocks, AreUsedAgainNewestFirst) {
     LargeBlocks blocks;
     void* const first = blocks.take(mega);
