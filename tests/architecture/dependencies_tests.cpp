@@ -35,8 +35,8 @@ std::map<std::string, std::string> listed(const std::string& heading) {
     return licences;
 }
 
-// Headers that the sources of a folder take from elsewhere, but for those of the system: those of C++ have no folder and
-// no `.h`.
+// Headers that the sources of a folder take from elsewhere, but for those of the system: those of C++ have no folder
+// and no `.h`.
 std::set<std::string> foreign_headers(const std::string& folder) {
     const std::set<std::string> of_system = {"stddef.h", "stdint.h", "sys/mman.h", "windows.h"};
     const std::regex include("^\\s*#include <([^>]+)>");

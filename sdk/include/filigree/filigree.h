@@ -268,9 +268,10 @@ FLG_API FlgResult flgMemoryUseInit(FlgMemoryUse* use, uint32_t struct_size);
 
 /* [any thread] What the context holds of one kind, or of all. The kinds sum to what the allocator has handed out and
  * not got back, to the byte, with the 8 bytes or so that the library adds to each block. Without an allocator of the
- * host's, up to 32 MB of large blocks that are free wait to be used again; they are not counted. While jobs run, a block that
- * moves from one kind to another may be seen in both. An object counts as its kind once its job has ended; the copies
- * of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates nothing. */
+ * host's, up to 32 MB of large blocks that are free wait to be used again; they are not counted. While jobs run, a
+ * block that moves from one kind to another may be seen in both. An object counts as its kind once its job has ended;
+ * the copies of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates
+ * nothing. */
 FLG_API FlgResult flgContextGetMemory(FlgContext context, FlgMemoryKind kind, FlgMemoryUse* out_use);
 
 /* Limits what the context may hold of one kind, or of all, in bytes; 0: no limit. What would exceed it fails with

@@ -245,7 +245,8 @@ FLG_API FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, con
 FLG_API FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke);
 
 /* Starts a job that splits an ended stroke into two copies that meet: points 0 to `point`, and `point` to the last.
- * `job` as for flgLiveStrokeEnd. FLG_NOT_READY until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point. */
+ * `job` as for flgLiveStrokeEnd. FLG_NOT_READY until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a
+ * point. */
 FLG_API FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t point,
                                      const FlgJobOptions* job, FlgCurveSet* out_first, FlgCurveSet* out_second,
                                      FlgJob* out_job);

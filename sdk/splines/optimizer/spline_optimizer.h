@@ -15,8 +15,8 @@
 // - Where the surface has an edge or a gap no step of the whole curve may lead down, however short. Nodes that jump
 //   there are held, as if they were given, and the others go on.
 //
-// - Where the surface has a border nodes stay within it. A round finds which of them the step would press against it, by
-//   a primal-dual active set (Hintermueller, Ito, Kunisch 2003): pressed nodes move along the border only, up to it,
+// - Where the surface has a border nodes stay within it. A round finds which of them the step would press against it,
+//   by a primal-dual active set (Hintermueller, Ito, Kunisch 2003): pressed nodes move along the border only, up to it,
 //   and are let go where their force points inwards. At a corner that points out a node may come to rest.
 //
 // Parameters are lengths of the first curve. They are measured again after the paper's heavy change: when one is off by
