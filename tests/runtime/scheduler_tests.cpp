@@ -2,6 +2,10 @@
 // Who runs next, and what it costs to end many.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "runtime/busy.h"
 
 namespace flg::test {
