@@ -9,13 +9,7 @@
 namespace flg::test {
 namespace {
 
-// One red pixel.
-constexpr uint8_t picture[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
-                               0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00,
-                               0x00, 0x90, 0x77, 0x53, 0xde, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78,
-                               0xda, 0x63, 0x38, 0x21, 0xa7, 0x01, 0x00, 0x02, 0xc0, 0x01, 0x0f, 0xe4, 0xbd, 0x52,
-                               0x15, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
-const std::string png(reinterpret_cast<const char*>(picture), sizeof picture);
+const std::string png(reinterpret_cast<const char*>(red_pixel), sizeof red_pixel);
 
 struct Mesh {
     explicit Mesh(const std::string& path) {
@@ -130,8 +124,8 @@ TEST(MeshLooks, GltfHasTexturesOfMaterials) {
     view.corner_uvs = uvs.data();
     FlgTexture textures[2] = {flgTextureDefaults(), flgTextureDefaults()};
     for (FlgTexture& texture : textures) {
-        texture.picture = picture;
-        texture.picture_size = sizeof picture;
+        texture.picture = red_pixel;
+        texture.picture_size = sizeof red_pixel;
     }
     textures[1].wrap_u = FLG_TEXTURE_WRAP_CLAMP;
     textures[1].wrap_v = FLG_TEXTURE_WRAP_MIRROR;
@@ -176,7 +170,7 @@ TEST(MeshLooks, GltfHasTexturesOfMaterials) {
     ASSERT_EQ(info.texture_count, 1u);
     FlgTexture shown = flgTextureDefaults();
     ASSERT_EQ(flgSkinFileGetTexture(file, 0, &shown), FLG_OK);
-    EXPECT_EQ(shown.picture_size, sizeof picture);
+    EXPECT_EQ(shown.picture_size, sizeof red_pixel);
     flgSkinFileRelease(file);
 
     // Refusals.
@@ -190,7 +184,7 @@ TEST(MeshLooks, GltfHasTexturesOfMaterials) {
     material.texture = 0;
     textures[0].picture_size = 2;
     EXPECT_EQ(refusal(), "desc.textures[0].picture: is neither a PNG nor a JPEG file");
-    textures[0].picture_size = sizeof picture;
+    textures[0].picture_size = sizeof red_pixel;
     textures[1].wrap_v = static_cast<FlgTextureWrap>(7);
     EXPECT_EQ(refusal(), "desc.textures[1]: wraps by 7, which is none of FLG_TEXTURE_WRAP_");
     textures[1].wrap_v = FLG_TEXTURE_WRAP_REPEAT;
@@ -237,8 +231,8 @@ TEST(MeshLooks, WhatGltfLacksIsNamed) {
     FlgSkinFileWriteDesc desc = {};
     ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
     desc.skin = &view;
-    desc.texture = picture;
-    desc.texture_size = sizeof picture;
+    desc.texture = red_pixel;
+    desc.texture_size = sizeof red_pixel;
     const std::string path = folder.at("skin.glb");
     ASSERT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
     const auto warnings = [&](const std::string& from, const std::string& to) {
@@ -269,8 +263,8 @@ TEST(MeshLooks, TextureCoordinatesAreTransformed) {
     FlgSkinFileWriteDesc desc = {};
     ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
     desc.skin = &view;
-    desc.texture = picture;
-    desc.texture_size = sizeof picture;
+    desc.texture = red_pixel;
+    desc.texture_size = sizeof red_pixel;
     const std::string path = folder.at("skin.glb");
     ASSERT_EQ(flgSkinFileWrite(path.c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
     Glb glb(slurp(path));
