@@ -6,9 +6,8 @@
 
 namespace flg::cli {
 
-// Writes the file, or what it links to, whole or not at all: a temporary file beside it is renamed when complete.
-// Throws InputError.
-void write_text_file(const std::string& name, std::string_view text);
+// Writes the file whole or not at all (core/saved_file.h). Throws InputError.
+void write_text_file(const std::string& path, std::string_view text);
 
 // Throws InputError unless a file of this name could be written: found out before the work, not after it.
 void require_writable(const std::string& path);

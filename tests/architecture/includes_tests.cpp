@@ -39,7 +39,7 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
-    {"renderer", {"filigree"}},
+    {"renderer", {"filigree", "core"}},
 };
 // Which sub-rooms of its room each folder may include, besides itself. "" is the room's own folder.
 const std::map<std::string, Rooms> allowed_within = {

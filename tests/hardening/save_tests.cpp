@@ -4,16 +4,21 @@
 // the next save works.
 #ifdef FLG_WITH_IO
 #include <csignal>
+#include <fstream>
 #include <functional>
 
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "filigree/filigree_io.h"
 #include "hardening/folder.h"
-#include "hardening/scenarios.h"
+#include "hardening/saved_documents.h"
 
 namespace flg::test {
 namespace {
@@ -24,81 +29,6 @@ constexpr rlim_t stride = 29;
 #else
 constexpr rlim_t stride = 1;
 #endif
-
-// Saves one of two versions of a document, and reads whatever is there now: its bits, or why it can't be read.
-struct Document {
-    const char* name;
-    std::function<FlgResult(const std::string& path, uint32_t version)> save;
-    std::function<std::string(const std::string& path)> load;
-};
-
-void PrintTo(const Document& document, std::ostream* out) {
-    *out << document.name;
-}
-
-FlgResult save_tangle(const std::string& path, uint32_t version) {
-    // As many regions as take a side file, which is smaller than the document.
-    std::vector<uint32_t> regions;
-    for (uint32_t i = 0; i < 20; ++i) regions.push_back(i + version);
-    FlgTangleStep step{};
-    step.struct_size = sizeof step;
-    step.kind = FLG_TANGLE_STEP_KIND_GROUP;
-    step.regions = regions.data();
-    step.region_count = static_cast<uint32_t>(regions.size());
-    const FlgTangleStep* const steps[] = {&step};
-    FlgTangleHistory history{};
-    history.struct_size = sizeof history;
-    history.step_count = history.made_count = 1;
-    history.steps = steps;
-    history.box_max[0] = 1;
-    return flgTangleFileWrite(path.c_str(), &history, nullptr);
-}
-
-std::string load_tangle(const std::string& path) {
-    FlgTangleFile file = nullptr;
-    if (flgTangleFileRead(path.c_str(), nullptr, &file) != FLG_OK) return flgIoErrorGetMessage();
-    FlgTangleHistory history{};
-    history.struct_size = sizeof history;
-    EXPECT_EQ(flgTangleFileGetHistory(file, &history), FLG_OK);
-    std::string all;
-    append(all, history.steps[0]->regions, history.steps[0]->region_count);
-    flgTangleFileRelease(file);
-    return all;
-}
-
-FlgResult save_curves(const std::string& path, uint32_t version) {
-    Curves curves = arcs(1, 4 + version, 3);
-    const FlgCurveSetView view = curves.view();
-    return flgCurveFileWrite(path.c_str(), &view, nullptr);
-}
-
-std::string load_curves(const std::string& path) {
-    FlgCurveFile file = nullptr;
-    if (flgCurveFileRead(path.c_str(), nullptr, &file) != FLG_OK) return flgIoErrorGetMessage();
-    FlgCurveSetView view = flgCurveSetViewDefaults();
-    EXPECT_EQ(flgCurveFileGetView(file, &view), FLG_OK);
-    std::string all = bits(view);
-    flgCurveFileRelease(file);
-    return all;
-}
-
-FlgResult save_mesh(const std::string& path, uint32_t version) {
-    MeshArrays mesh = plane(1 + version);
-    const FlgMeshView view = mesh.view();
-    return flgMeshFileWrite(path.c_str(), &view, nullptr);
-}
-
-std::string load_mesh(const std::string& path) {
-    FlgMeshFile file = nullptr;
-    if (flgMeshFileRead(path.c_str(), nullptr, &file) != FLG_OK) return flgIoErrorGetMessage();
-    FlgMeshView view = flgMeshViewDefaults();
-    EXPECT_EQ(flgMeshFileGetView(file, &view), FLG_OK);
-    std::string all;
-    append(all, view.triangles, size_t{3} * view.triangle_count);
-    append(all, view.columns[0].data, size_t{3} * view.vertex_count);
-    flgMeshFileRelease(file);
-    return all;
-}
 
 void limit_files(rlim_t bytes) {
     const rlimit limit = {bytes, RLIM_INFINITY};
@@ -157,25 +87,26 @@ protected:
         after = document.load(path);
         start_again();
         before = document.load(path);
+        files_ = entries(folder);
         ASSERT_NE(before, after);
     }
     void start_again() { ASSERT_EQ(document.save(path, 0), FLG_OK) << flgIoErrorGetMessage(); }
-    // Old or new, and what was left behind is in nobody's way.
+    // Old or new, and what was left behind is gone after the next save.
     void expect_whole() {
         const std::string now = document.load(path);
         EXPECT_TRUE(now == before || now == after) << now;
+        // Long ago: a save that may still go on keeps what it has written.
+        using namespace std::chrono_literals;
+        for (const auto& left : std::filesystem::directory_iterator(folder.path())) {
+            if (left.path() != path) last_write_time(left.path(), left.last_write_time() - 1h);
+        }
         start_again();
         EXPECT_EQ(document.load(path), before);
-        if (++saves_ % 64 == 0) remove_leftovers();
-    }
-    void remove_leftovers() {
-        for (const auto& left : std::filesystem::directory_iterator(folder.path())) {
-            if (left.path().string().find(".tmp") != std::string::npos) std::filesystem::remove(left.path());
-        }
+        EXPECT_EQ(entries(folder), files_) << "the next save cleans up";
     }
 
 private:
-    int saves_ = 0;
+    size_t files_ = 0;
 };
 
 TEST_P(Saves, ThatFailForWantOfSpaceChangeNothing) {
@@ -221,24 +152,68 @@ TEST_P(Saves, ThatAreKilledAtAnySystemCallLeaveOldOrNew) {
         is_old = is_old || now == before;
         is_new = is_new || now == after;
         expect_whole();
-        remove_leftovers();  // each is a system call more
     }
     EXPECT_GT(at, 4);
     EXPECT_TRUE(is_old && is_new) << "kills came before and after the document was replaced";
 }
 
-const Document documents[] = {
-    {"tangle.json", save_tangle, load_tangle},
-    {"curves.xyz", save_curves, load_curves},
-    {"curves.glb", save_curves, load_curves},
-    {"mesh.ply", save_mesh, load_mesh},
-};
+TEST_P(Saves, KeepModeAndOwner) {
+    struct stat made {};
+    ASSERT_EQ(stat(path.c_str(), &made), 0);
+    const mode_t masked = umask(0);
+    umask(masked);
+    EXPECT_EQ(made.st_mode & 07777, 0666 & ~masked) << "a new file's is the process's";
+    // Only root gives files away.
+    const bool is_root = geteuid() == 0;
+    const uid_t owner = is_root ? 12345 : geteuid();
+    const gid_t group = is_root ? 54321 : getegid();
+    ASSERT_EQ(chown(path.c_str(), owner, group), 0);
+    for (const mode_t mode : {0600, 0640, 0664}) {
+        ASSERT_EQ(chmod(path.c_str(), mode), 0);
+        ASSERT_EQ(document.save(path, 1), FLG_OK) << flgIoErrorGetMessage();
+        struct stat now {};
+        ASSERT_EQ(stat(path.c_str(), &now), 0);
+        EXPECT_EQ(now.st_mode & 07777, mode);
+        EXPECT_EQ(now.st_uid, owner);
+        EXPECT_EQ(now.st_gid, group);
+    }
+    EXPECT_EQ(document.load(path), after);
+}
 
-INSTANTIATE_TEST_SUITE_P(Of, Saves, testing::ValuesIn(documents), [](const auto& test) {
-    std::string name = test.param.name;
-    std::replace(name.begin(), name.end(), '.', '_');
-    return name;
-});
+TEST_P(Saves, LeaveWhatAnotherSaveIsWriting) {
+    const std::string busy = path + ".flg-saving0", abandoned = path + ".flg-saving1";
+    const int file = open(busy.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    ASSERT_GE(file, 0);
+    ASSERT_EQ(flock(file, LOCK_EX), 0);
+    close(open(abandoned.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+    start_again();
+    EXPECT_TRUE(std::filesystem::exists(busy));
+    EXPECT_FALSE(std::filesystem::exists(abandoned));
+    close(file);
+    start_again();
+    EXPECT_FALSE(std::filesystem::exists(busy));
+}
+
+TEST_P(Saves, IntoAPipeLeaveItThere) {
+    const Folder other;
+    const std::string pipe = other.at(document.name);
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const pid_t child = fork();
+    if (child == 0) _exit(document.save(pipe, 1) == FLG_OK ? 0 : 1);
+    std::ifstream reader(pipe, std::ios::binary);
+    const std::string come((std::istreambuf_iterator<char>(reader)), {});
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    ASSERT_EQ(document.save(path, 1), FLG_OK);
+    std::ifstream file(path, std::ios::binary);
+    const std::string expected((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_EQ(come, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Saves, testing::ValuesIn(documents()),
+                         [](const auto& test) { return name_of(test.param); });
 
 }  // namespace
 }  // namespace flg::test

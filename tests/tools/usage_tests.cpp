@@ -48,6 +48,26 @@ TEST_F(Usage, BadUsageExitsWithTwo) {
     EXPECT_TRUE(folder.list().empty());
 }
 
+// One door for all that is written: what killed saves left is gone, and modes stay.
+TEST_F(Usage, SavesCleanUpAndKeepModes) {
+    const std::vector<std::string> arguments = stylize_with({"--report", "report.json", "--save-path", "path.txt"});
+    done(arguments);
+    const std::vector<std::string> files = folder.list();
+    ASSERT_EQ(files.size(), 3u);
+    for (const std::string& name : files) {
+        folder.write(name + ".flg-saving3", "half");
+        std::filesystem::permissions(folder / name,
+                                     std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    }
+    done(arguments);
+    EXPECT_EQ(folder.list(), files);
+    for (const std::string& name : files) {
+        EXPECT_EQ(std::filesystem::status(folder / name).permissions(),
+                  std::filesystem::perms::owner_read | std::filesystem::perms::owner_write)
+            << name;
+    }
+}
+
 TEST_F(Usage, NumbersOutOfRangeExitWithTwo) {
     const std::pair<const char*, std::vector<const char*>> bad[] = {{"--sigma", {"nan", "inf", "1e39", "much"}},
                                                                     {"--tau", {"-0.1", "nan", "inf"}},

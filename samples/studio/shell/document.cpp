@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shell/document.h"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/saved_file.h"
 #include "shell/studio_error.h"
 
 namespace flg::studio {
@@ -29,46 +29,23 @@ constexpr const char *kPrefix = "autosave-", *kSuffix = ".filigree";
     throw StudioError(path + " cannot be " + what + ": " + std::strerror(errno) + ".");
 }
 
-void write_flushed(const std::string& path, const std::string& bytes) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (file < 0) fail(path, "written");
-    size_t done = 0;
-    bool good = true;
-    while (good && done < bytes.size()) {
-        const ssize_t count = ::write(file, bytes.data() + done, bytes.size() - done);
-        if (count >= 0) done += static_cast<size_t>(count);
-        good = count >= 0 || errno == EINTR;
-    }
-    good = good && ::fsync(file) == 0;
-    const int reason = errno;
-    ::close(file);
-    if (good) return;
-    ::unlink(path.c_str());
-    errno = reason;
-    fail(path, "written");
-}
-
 }  // namespace
+
+void write_file(const std::string& path, const std::string& bytes) {
+    try {
+        SavedFile file(path);
+        file.write(bytes);
+        file.save();
+    } catch (const std::system_error& error) {
+        throw StudioError(path + " cannot be written: " + error.code().message() + ".");
+    }
+}
 
 void write_document(const std::string& path, const nlohmann::json& document) {
     nlohmann::json whole = document;
     whole[kFormat] = kVersion;
     // Names in files need not be UTF-8.
-    const std::string bytes = whole.dump(1, '\t', false, nlohmann::json::error_handler_t::replace);
-    const std::string beside = path + ".new-" + std::to_string(::getpid());
-    write_flushed(beside, bytes);
-    if (::rename(beside.c_str(), path.c_str()) != 0) {
-        const int reason = errno;
-        ::unlink(beside.c_str());
-        errno = reason;
-        fail(path, "replaced");
-    }
-    // The name, too.
-    const std::string folder = fs::path(path).parent_path().string();
-    const int directory = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (directory < 0) return;
-    ::fsync(directory);
-    ::close(directory);
+    write_file(path, whole.dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 }
 
 nlohmann::json read_document(const std::string& path) {

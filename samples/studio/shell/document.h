@@ -10,8 +10,8 @@
 
 namespace flg::studio {
 
-// Through a file beside it that is flushed to the disk before it takes the name: whenever the program or the machine
-// stops, `path` holds the old document or the new one. Throws StudioError.
+// Whole or not at all (core/saved_file.h). Throws StudioError.
+void write_file(const std::string& path, const std::string& bytes);
 void write_document(const std::string& path, const nlohmann::json& document);
 // Throws StudioError for what is no document of ours.
 nlohmann::json read_document(const std::string& path);

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "documents/failure.h"
 #include "documents/model_drawing.h"
+#include "shell/document.h"
 #include "shell/studio_error.h"
 
 namespace flg::studio {
@@ -242,17 +241,7 @@ nlohmann::json drawing_json(const Drawing& drawing) {
 void write_drawing(const Drawing& drawing, const std::string& path) {
     if (drawing.parts.empty()) throw StudioError("There is no drawing to export. Draw a part first.");
     const std::string text = drawing_json(drawing).dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
-    // Whole or not at all.
-    const std::string beside = path + ".part";
-    std::ofstream file(beside, std::ios::binary);
-    file << text << '\n';
-    file.close();
-    std::error_code error;
-    if (file) std::filesystem::rename(beside, path, error);
-    if (!file || error) {
-        std::filesystem::remove(beside, error);
-        throw StudioError("The drawing cannot be written to " + path + ".");
-    }
+    write_file(path, text + "\n");
 }
 
 nlohmann::json document_json(const Drawing& drawing) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <system_error>
 
+#include "core/saved_file.h"
 #include "io/base/failure.h"
 
 namespace flg::io {
@@ -179,79 +180,42 @@ ByteBlock read_file(const Path& path, const String& place, uint64_t limit) {
 
 namespace {
 
-constexpr int max_tries = 1000;
-
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-[[noreturn]] void fail_writing(int error) {
-    fail(FLG_ERROR_FILE, "", "can't be written: %s", std::generic_category().message(error).c_str());
-}
-
-// Where a file of this name is: renaming over a symbolic link would replace the link.
-std::filesystem::path followed(std::filesystem::path path) {
-    constexpr int max_links = 40;  // as the kernel has it
-    for (int i = 0; i < max_links; ++i) {
-        if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path))) return path;
-        path = path.parent_path() / std::filesystem::read_symlink(path);
+// Calls `work`; where the operating system fails it, fails with its words.
+template <class Work>
+void writing(Work work) {
+    try {
+        work();
+    } catch (const std::system_error& error) {
+        fail(FLG_ERROR_FILE, "", "can't be written: %s", error.code().message().c_str());
     }
-    fail_writing(ELOOP);
-}
-
-// A new file beside `path`; the names of files that exist, also of other programs writing now, are passed over.
-File open_beside(const std::filesystem::path& path, std::filesystem::path& temporary) {
-    for (int i = 0; i < max_tries; ++i) {
-        temporary = path;
-        temporary += ".tmp" + std::to_string(i);
-        if (std::FILE* file = std::fopen(temporary.string().c_str(), "wbx")) return File(file, std::fclose);
-        if (errno != EEXIST) break;
-    }
-    fail_writing(errno);
 }
 
 }  // namespace
 
-// The host's file, or the temporary one.
+// The host's file, or the operating system's.
 class FileWriter::Target {
 public:
     explicit Target(const Path& path) {
         if (path.host()) {
             host_.emplace(path);
             check_host(host_->open(FLG_FILE_ACCESS_WRITE), "", "opened", "open");
-            return;
+        } else {
+            writing([&] { file_.emplace(os_path(path)); });
         }
-        path_ = followed(os_path(path));
-        if (std::filesystem::is_directory(path_)) fail_writing(EISDIR);
-        file_ = open_beside(path_, temporary_);
     }
-    ~Target() {
-        if (!host_) discard();
-    }
-    Target(const Target&) = delete;
-    Target& operator=(const Target&) = delete;
 
     void write(std::string_view content) {
         if (host_) return host_->write(content);
-        if (std::fwrite(content.data(), 1, content.size(), file_.get()) != content.size()) fail_writing(errno);
+        writing([&] { file_->write(content); });
     }
     void finish() {
         if (host_) return host_->close();
-        if (std::fclose(file_.release()) != 0) fail_writing(errno);
-        std::error_code error;
-        std::filesystem::rename(temporary_, path_, error);
-        if (error) fail_writing(error.value());
-        temporary_.clear();
+        writing([&] { file_->save(); });
     }
 
 private:
-    void discard() noexcept {
-        file_.reset();
-        std::error_code ignored;
-        if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
-    }
-
     std::optional<HostHandle> host_;
-    std::filesystem::path path_, temporary_;
-    File file_{nullptr, std::fclose};
+    std::optional<SavedFile> file_;
 };
 
 FileWriter::FileWriter(const Path& path) : target_(make_owned<Target>(path)) {}
@@ -301,6 +265,26 @@ bool stays_beside(const Path& path, const Path& document) {
     const auto base = std::filesystem::weakly_canonical(folder.empty() ? "." : folder);
     const auto target = std::filesystem::weakly_canonical(os_path(path));
     return std::mismatch(base.begin(), base.end(), target.begin(), target.end()).first == base.end();
+}
+
+Vector<String> older_companions(const Path& path) {
+    Vector<String> names;
+    if (path.host()) return names;
+    const std::filesystem::path file = os_path(path);
+    std::error_code error;
+    const std::filesystem::file_time_type saved = std::filesystem::last_write_time(file, error);
+    if (error) return names;
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::u8string name = entry->path().filename().u8string();
+        std::error_code unknown;
+        if (!name.starts_with(file.filename().u8string()) || entry->last_write_time(unknown) >= saved || unknown) {
+            continue;
+        }
+        names.emplace_back(reinterpret_cast<const char*>(name.data()), name.size());
+    }
+    return names;
 }
 
 void remove_file(const Path& path) {

@@ -67,8 +67,7 @@ inline std::string_view as_text(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Writes a temporary file beside `path`, or beside what it links to, and renames it when it is finished; else nothing
-// is left behind and all is as it was. The host's functions see to that themselves.
+// Writes a file whole or not at all (core/saved_file.h). The host's functions see to that themselves.
 class FileWriter {
 public:
     explicit FileWriter(const Path& path);
@@ -106,6 +105,10 @@ Path resolved(const Path& path);
 
 // Whether `path` has no links that lead out of the folder of `document`; for the host's functions: yes.
 bool stays_beside(const Path& path, const Path& document);
+
+// The names of the files beside the one at `path` that begin with its name and are older; none for the host's
+// functions, which list no folders, nor where no file is.
+Vector<String> older_companions(const Path& path);
 
 // Without a word if it cannot.
 void remove_file(const Path& path);

@@ -2,7 +2,8 @@
 // The C ABI of tangles' documents, translated onto this room; and how the two files of a document are saved as one.
 //
 // The side file's name has the checksum of its bytes in it, and the JSON, which names it, is renamed into its place
-// last: a save that is cut short anywhere leaves the document as it was, at most with a side file too many.
+// last: a save that is cut short anywhere leaves the document as it was, at most with a side file too many. A later save
+// removes it, once it is older than the document: younger ones may be those of a save that goes on now.
 #include <new>
 #include <optional>
 
@@ -37,8 +38,10 @@ String present_side_file(const Path& path) {
 
 // The side file of this name, if it was written with this document.
 std::optional<Path> removable(const Path& path, const String& name) {
-    const String file(path.filename());
-    if (!name.starts_with(file + ".") || !name.ends_with(".bin")) return {};
+    const size_t first = path.filename().size() + 1, last = first + 16;  // of the checksum's digits
+    if (!name.starts_with(String(path.filename()) + ".") || name.size() <= last || name.substr(last) != ".bin")
+        return {};
+    if (name.find_first_not_of("0123456789abcdef", first) != last) return {};
     return path.beside(name);
 }
 
@@ -46,7 +49,13 @@ void save(const Path& path, const TangleText& text) {
     const String before = present_side_file(path);
     // All memory is taken before the first file is written.
     const std::optional<Path> side = removable(path, text.side.name);
-    const std::optional<Path> obsolete = before != text.side.name ? removable(path, before) : std::nullopt;
+    Vector<Path> obsolete;
+    const auto add_obsolete = [&](const String& name) {
+        if (name == text.side.name) return;
+        if (const std::optional<Path> file = removable(path, name)) obsolete.push_back(*file);
+    };
+    add_obsolete(before);
+    for (const String& name : older_companions(path)) add_obsolete(name);
     if (side) write_file(*side, text.arrays);
     try {
         write_file(path, text.json);
@@ -54,7 +63,7 @@ void save(const Path& path, const TangleText& text) {
         if (side && text.side.name != before) remove_file(*side);
         throw;
     }
-    if (obsolete) remove_file(*obsolete);
+    for (const Path& file : obsolete) remove_file(file);
 }
 
 ByteBlock read_arrays(const Path& path, const SideFile& side) {

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// A file that is written whole or not at all, whatever happens on the way: the process is killed, the disk is full, the
+// power goes. The one door through which the SDK's libraries, the renderer, the command line and the studio write.
+//
+// The bytes go to a temporary file beside the one that is saved, or beside what it links to. They reach the disk before
+// its name does: write, flush the file, rename, flush the folder. A file that was there keeps its mode, and its owner
+// where the process may give files away.
+//
+// Each temporary file is locked while somebody writes it; the system unlocks it when that process ends, however that
+// happens. A save removes those beside its file that nobody has
+// locked. Pipes and devices are written as they are.
+#pragma once
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <sys/file.h>
+#endif
+#include <unistd.h>
+
+namespace flg {
+
+// All functions throw std::system_error; nothing has changed then.
+class SavedFile {
+public:
+    explicit SavedFile(const std::filesystem::path& path) {
+        std::error_code error;
+        const std::filesystem::file_status there = std::filesystem::status(path, error);
+        if (std::filesystem::is_directory(there)) fail(EISDIR);
+        const bool is_replaced = !std::filesystem::exists(there) || std::filesystem::is_regular_file(there);
+        try {
+            if (is_replaced) {
+                path_ = followed(path);
+                remove_abandoned();
+                open_beside();
+                keep_mode_and_owner();
+            } else {
+                file_ = open_file(path, O_WRONLY);
+                if (file_ < 0) fail(errno);
+            }
+        } catch (...) {
+            discard();
+            throw;
+        }
+    }
+    ~SavedFile() { discard(); }
+    SavedFile(const SavedFile&) = delete;
+    SavedFile& operator=(const SavedFile&) = delete;
+
+    void write(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const auto count = ::write(file_, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), max_write)));
+            if (count < 0 && errno != EINTR) fail(errno);
+            if (count > 0) bytes.remove_prefix(static_cast<size_t>(count));
+        }
+    }
+
+    // Once, after the last write.
+    void save() {
+        // Pipes can't be flushed.
+        if (!temporary_.empty() && flush(file_) != 0) fail(errno);
+#ifdef _WIN32
+        close();  // open files can't be renamed there
+#endif
+        if (!temporary_.empty()) {
+            std::filesystem::rename(temporary_, path_);
+            temporary_.clear();
+            flush_folder();
+        }
+        close();
+    }
+
+private:
+    static constexpr int max_tries = 1000;
+    static constexpr size_t max_write = size_t{1} << 30;
+    static constexpr const char* suffix = ".flg-saving";
+
+    [[noreturn]] static void fail(int error) {
+        throw std::system_error(error, std::generic_category());
+    }
+
+    // Where a file of this name is: renaming over a symbolic link would replace the link.
+    static std::filesystem::path followed(std::filesystem::path path) {
+        constexpr int max_links = 40;  // as the kernel has it
+        for (int i = 0; i < max_links; ++i) {
+            std::error_code error;
+            if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) return path;
+            path = path.parent_path() / std::filesystem::read_symlink(path);
+        }
+        fail(ELOOP);
+    }
+    std::filesystem::path folder() const {
+        return path_.has_parent_path() ? path_.parent_path() : ".";
+    }
+
+#ifdef _WIN32
+    static int open_file(const std::filesystem::path& path, int flags, bool = false) {
+        return ::_wopen(path.c_str(), flags | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+    }
+    static int flush(int file) {
+        return ::_commit(file);
+    }
+    void flush_folder() const {}
+    void keep_mode_and_owner() const {}
+    static bool lock(int) {
+        return true;
+    }
+    static void remove_if_abandoned(const std::filesystem::path& temporary) {
+        std::error_code error;
+        std::filesystem::remove(temporary, error);  // fails for what is open
+    }
+#else
+    // `is_private`: a file that is made is for this process's user alone.
+    static int open_file(const std::filesystem::path& path, int flags, bool is_private = false) {
+        return ::open(path.c_str(), flags | O_CLOEXEC, is_private ? 0600 : 0666);
+    }
+    static int flush(int file) {
+        return ::fsync(file);
+    }
+    // Where folders can't be flushed the file system keeps its own order.
+    void flush_folder() const {
+        const int directory = ::open(folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (directory < 0) return;
+        ::fsync(directory);
+        ::close(directory);
+    }
+    void keep_mode_and_owner() const {
+        struct stat there {};
+        if (::stat(path_.c_str(), &there) != 0) return;
+        if (::fchown(file_, there.st_uid, there.st_gid) != 0 &&
+            ::fchown(file_, static_cast<uid_t>(-1), there.st_gid) != 0) {
+            there.st_mode &= static_cast<mode_t>(~(S_ISUID | S_ISGID));  // they were for another's file
+        }
+        if (::fchmod(file_, there.st_mode & 07777) != 0 && errno != EPERM) fail(errno);  // some systems have no modes
+    }
+    // Whether the file is this process's alone and has a name: another save may have taken it for abandoned before.
+    static bool lock(int file) {
+        struct stat status {};
+        return ::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &status) == 0 && status.st_nlink > 0;
+    }
+    static void remove_if_abandoned(const std::filesystem::path& temporary) {
+        const int file = open_file(temporary, O_RDONLY);
+        if (file < 0) return;
+        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(temporary.c_str());
+        ::close(file);
+    }
+#endif
+
+    void remove_abandoned() const {
+        const std::string start = path_.filename().string() + ".";  // of its side files, too
+        std::error_code error;
+        for (std::filesystem::directory_iterator entry(folder(), error), end; !error && entry != end;
+             entry.increment(error)) {
+            const std::string name = entry->path().filename().string();
+            if (name.starts_with(start) && name.find(suffix) != name.npos) remove_if_abandoned(entry->path());
+        }
+    }
+    void open_beside() {
+        // Until it has the mode of what it replaces.
+        const bool is_private = std::filesystem::exists(path_);
+        for (int i = 0; i < max_tries; ++i) {
+            temporary_ = path_;
+            temporary_ += suffix + std::to_string(i);
+            file_ = open_file(temporary_, O_WRONLY | O_CREAT | O_EXCL, is_private);
+            if (file_ >= 0 && lock(file_)) return;
+            const int error = file_ < 0 ? errno : EEXIST;
+            temporary_.clear();
+            close();
+            if (error != EEXIST) fail(error);
+        }
+        fail(EEXIST);
+    }
+    void close() noexcept {
+        if (file_ >= 0) ::close(file_);
+        file_ = -1;
+    }
+    void discard() noexcept {
+        std::error_code ignored;
+#ifdef _WIN32
+        close();
+#endif
+        if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
+        close();
+    }
+
+    std::filesystem::path path_, temporary_;
+    int file_ = -1;
+};
+
+}  // namespace flg
