@@ -88,7 +88,7 @@ FlgResult flgFieldCreateGeodesic(FlgContext context, const FlgFieldGeodesicDesc*
         const auto out = self.make(self.fields, surface);
         GeodesicRequest request = read_request(self, read, *out, submission);
         // In a perturbed metric the solver builds its own.
-        if (read.perturbation == 0) submission.wait_for(start_blocks(self, surface));
+        submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");
         submission.job().strand.start(solve_geodesic(submission.pace(), std::move(request), out));
         *out_field = {submission.commit(self.fields, out, out_job)};

@@ -10,7 +10,7 @@
 #include "core/failure.h"
 #include "runtime/each.h"
 #include "surfaces/geodesics/geodesic_seeds.h"
-#include "surfaces/mesh/mesh_measures.h"
+#include "surfaces/geodesics/perturbed_blocks.h"
 #include "surfaces/mesh/region_cursor.h"
 #include "surfaces/mesh/region_vertices.h"
 #include "surfaces/surface_inputs.h"
@@ -130,9 +130,26 @@ Task<void> solve_on_surface(Pace& pace, const Query& query, const GeodesicBlocks
     solver.give_back();
 }
 
-Task<GrowingBuffer<Position>> perturbed_positions(Pace& pace, const Mesh& mesh, Perturbation perturbation) {
-    const Buffer<Position> normals = co_await find_vertex_normals(pace, mesh);
-    co_return co_await perturb_positions(pace, mesh, normals, perturbation);
+// The vertices of sources and targets outside of the regions: where these are is asked for all the same.
+Task<std::pmr::deque<uint32_t>> vertices_outside(Pace& pace, const GeodesicRequest& request) {
+    const Mesh& mesh = request.surface->mesh();
+    const GeodesicSources& sources = request.sources;
+    co_await check_points(pace, mesh, sources.points, "desc.points");
+    co_await check_vertices(pace, mesh, request.targets, "desc.targets");
+    std::pmr::deque<uint32_t> vertices(pace.memory());
+    const auto add = [&](const SurfacePoint& point) {
+        if (request.regions.contains(mesh.regions[point.triangle])) return;
+        for (const uint32_t vertex : mesh.triangles[point.triangle]) vertices.push_back(vertex);
+    };
+    co_await each(pace, sources.points.size(), Cost::tens_of_ns, [&](uint32_t i) { add(sources.points[i]); });
+    if (sources.curves) {
+        const std::pmr::deque<SurfacePoint>& points = sources.curves->curves.points;
+        co_await each(pace, points.size(), Cost::tens_of_ns, [&](uint32_t i) { add(points[i]); });
+    }
+    co_await each(pace, request.targets.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
+        if (!touches(mesh, request.targets[i], request.regions)) vertices.push_back(request.targets[i]);
+    });
+    co_return vertices;
 }
 
 }  // namespace
@@ -162,14 +179,14 @@ Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField
     const Mesh& mesh = request.surface->mesh();
     pace.stage("sources");
     const bool perturbed = request.perturbation.amount > 0;
-    GrowingBuffer<Position> moved;
-    std::optional<GeodesicBlocks> moved_blocks;
+    std::optional<PerturbedMetric> metric;
     if (perturbed) {
-        moved = co_await perturbed_positions(pace, mesh, request.perturbation);
-        moved_blocks.emplace(co_await make_blocks(pace, mesh, moved));
+        const std::pmr::deque<uint32_t> also = co_await vertices_outside(pace, request);
+        metric.emplace(co_await perturb_metric(pace, mesh, blocks_of(*request.surface), request.regions, also,
+                                               request.perturbation));
     }
-    const GrowingBuffer<Position>& positions = perturbed ? moved : mesh.positions;
-    const GeodesicBlocks& blocks = perturbed ? *moved_blocks : blocks_of(*request.surface);
+    const GrowingBuffer<Position>& positions = perturbed ? metric->positions : mesh.positions;
+    const GeodesicBlocks& blocks = perturbed ? metric->blocks : blocks_of(*request.surface);
     GeodesicSeeds collected(mesh, positions, request.regions, pace.memory(), &blocks.flipped);
     co_await collect_seeds(pace, request, collected);
     const Buffer<Seed> seeds = co_await merge_seeds(pace, collected.found());

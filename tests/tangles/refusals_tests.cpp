@@ -274,13 +274,18 @@ TEST(TangleDisplacement, HeightsFollowTheProfile) {
     desc.amount = 0.25f;
     ASSERT_EQ(flgTangleDisplace(host.context, &desc, nullptr), FLG_OK);
     host.finish();
-    // A pyramid over the square: distance to the nearest side over the largest, 0.5.
+    // A pyramid over the square, its ridges rounded: distance to the nearest side over the largest, 0.5.
     const FlgSurfaceView view = host.view(surface);
+    double highest = 0;
     for (uint32_t v = 0; v < view.mesh->vertex_count; ++v) {
         const Point p = vertex_at(view, v);
-        const double side = std::min({p[0], 1 - p[0], p[1], 1 - p[1]});
-        EXPECT_NEAR(p[2], 0.25 * side / 0.5, 2e-3);
+        const double u = std::min(p[0], 1 - p[0]), w = std::min(p[1], 1 - p[1]), side = std::min(u, w);
+        highest = std::max<double>(highest, p[2]);
+        // Flanks keep their shape; what the rounding takes from the top makes them a little steeper.
+        EXPECT_NEAR(p[2], 0.25 * side / 0.5, 0.02);
+        EXPECT_LE(p[2] == 0, side == 0);
     }
+    EXPECT_NEAR(highest, 0.25, 1e-6);
     for (const auto& [member, value] : {std::pair{&FlgTangleDisplaceDesc::bias, 0.0f},
                                         {&FlgTangleDisplaceDesc::bias, 1.0f},
                                         {&FlgTangleDisplaceDesc::gain, 0.0f},
@@ -289,6 +294,54 @@ TEST(TangleDisplacement, HeightsFollowTheProfile) {
         FlgTangleDisplaceDesc bad = desc;
         bad.*member = value;
         EXPECT_EQ(flgTangleDisplace(host.context, &bad, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    }
+}
+
+Point area_vector(const FlgSurfaceView& view, uint32_t triangle) {
+    const uint32_t* const corners = view.mesh->triangles + 3 * size_t{triangle};
+    const Point a = vertex_at(view, corners[0]), b = vertex_at(view, corners[1]), c = vertex_at(view, corners[2]);
+    Point area;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        area[i] = ((b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j])) / 2;
+    }
+    return area;
+}
+
+FlgTangleDisplaceDesc displacement(FlgTangle tangle, float amount) {
+    FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
+    desc.tangle = tangle;
+    desc.regions = root.data();
+    desc.region_count = 1;
+    desc.amount = amount;
+    return desc;
+}
+
+// A bowl: its normals meet a radius above it, so heights beyond that would turn all of it over.
+TEST(TangleDisplacement, NoTriangleTurnsOver) {
+    for (const float amount : {0.3f, 3.0f, -0.3f}) {
+        const TangleHost host;
+        const MeshArrays bowl = grid(24, 24, [](double u, double v) {
+            const double x = u - 0.5, y = v - 0.5;
+            return Point{x, y, 1.2 * (x * x + y * y)};
+        });
+        const FlgSurface surface = host.surface(bowl);
+        const FlgSurfaceView before = host.view(surface);
+        std::vector<Point> normals;
+        for (uint32_t t = 0; t < before.mesh->triangle_count; ++t) normals.push_back(area_vector(before, t));
+        const FlgTangle tangle = host.tangle(surface);
+        const FlgTangleDisplaceDesc desc = displacement(tangle, amount);
+        ASSERT_EQ(flgTangleDisplace(host.context, &desc, nullptr), FLG_OK);
+        host.finish();
+        const FlgSurfaceView view = host.view(surface);
+        double most = 0;
+        for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
+            const Point now = area_vector(view, t);
+            EXPECT_GE(now[0] * normals[t][0] + now[1] * normals[t][1] + now[2] * normals[t][2], 0) << t;
+        }
+        for (uint32_t v = 0; v < view.mesh->vertex_count; ++v)
+            most = std::max<double>(most, std::abs(vertex_at(view, v)[2]));
+        EXPECT_GT(most, 0.2);
     }
 }
 

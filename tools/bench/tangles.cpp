@@ -12,13 +12,17 @@
 #include "bench/groups.h"
 #include "bench/host.h"
 #include "bench/meshes.h"
+#include "core/random.h"
 #include "filigree/filigree_tangle.h"
 
 namespace flg::bench {
 namespace {
 
 constexpr uint32_t kTriangles = 2'000'000, kCells = 130, kSteps = 200;
-constexpr double kOperatorMs = 100, kUndoMs = 30, kSamplesOverSolve = 2, kCellsOverSolve = 2.5, kMemoryMb = 400;
+constexpr double kOperatorMs = 20, kUndoMs = 30, kSamplesOverSolve = 2, kCellsOverSolve = 2.5, kMemoryMb = 400;
+constexpr uint32_t kSmallCells = 200, kEachCells = 223, kRandomSteps = 500;
+constexpr double kSmallMs = 2.5, kWorstMs = 400, kEachMs = 300, kPerturbed = 1.3, kDisplaceNs = 150;
+constexpr float kNoiseFrequency = 20;
 constexpr uint32_t kFrameSteps = 40, kBudgetUs = 2000;
 constexpr double kTickUs = 2500, kVisibleMs = 200, kFrameMs = 1000.0 / 90;
 
@@ -97,7 +101,8 @@ public:
         check(flgFieldRelease(host_.context(), field));
         return ms;
     }
-    FlgJob divide(FlgTangleOperator kind, uint32_t region, const FlgTangleSeeds& seeds, float delta, uint32_t count) {
+    FlgJob divide(FlgTangleOperator kind, uint32_t region, const FlgTangleSeeds& seeds, float delta, uint32_t count,
+                  float perturbation = 0) {
         FlgTangleDivideDesc desc = flgTangleDivideDefaults();
         desc.tangle = tangle_;
         desc.kind = kind;
@@ -106,9 +111,27 @@ public:
         desc.a = &seeds;
         desc.delta = delta;
         desc.count = count;
+        desc.perturbation = perturbation;
+        desc.frequency = kNoiseFrequency;
         FlgJob job{};
         check(flgTangleDivide(host_.context(), &desc, &job));
         return job;
+    }
+    FlgJob displace(uint32_t region, float amount) {
+        FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
+        desc.tangle = tangle_;
+        desc.regions = &region;
+        desc.region_count = 1;
+        desc.amount = amount;
+        FlgJob job{};
+        check(flgTangleDisplace(host_.context(), &desc, &job));
+        return job;
+    }
+    uint32_t vertex_count() {
+        FlgSurfaceView view{};
+        view.struct_size = sizeof view;
+        check(flgSurfaceGetView(host_.context(), surface_, &view));
+        return view.mesh->vertex_count;
     }
     // Of the last job that was finished: its stages of these names together.
     double stages_ms(std::initializer_list<std::string_view> names) {
@@ -176,6 +199,20 @@ FlgJob begin_step(Session& session, uint32_t n) {
     return session.divide(FLG_TANGLE_OPERATOR_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER), delta, 2);
 }
 
+// Any operator on any region, but the whole.
+FlgJob begin_random_step(Session& session, uint32_t n) {
+    const auto draw = [n](uint32_t which) { return random_unit(7, n, which); };
+    const auto region = 1 + static_cast<uint32_t>(draw(0) * (session.info().region_count - 1));
+    const float delta = 0.01f + 0.04f * static_cast<float>(draw(1));
+    const double kind = draw(2);
+    if (kind < 0.2) return session.divide(FLG_TANGLE_OPERATOR_CONTOUR, region, samples(0.04f, 12), delta / 2, 1);
+    if (kind < 0.4) return session.divide(FLG_TANGLE_OPERATOR_VORONOI, region, samples(0.04f, 12), delta, 1);
+    if (kind < 0.5)
+        return session.divide(FLG_TANGLE_OPERATOR_STREAM, region, borders(FLG_TANGLE_BORDERS_OUTER), 0.1f, 1);
+    const FlgTangleBorders which = kind < 0.7 ? FLG_TANGLE_BORDERS_EACH : FLG_TANGLE_BORDERS_OUTER;
+    return session.divide(FLG_TANGLE_OPERATOR_CONTOUR, region, borders(which), delta, 2, kind < 0.9 ? 0 : 0.01f);
+}
+
 struct Frames {
     std::vector<double> ticks_us, visible_ms;
     float max_slice_us = 0;
@@ -186,7 +223,7 @@ struct Frames {
 Frames play_frames() {
     using Clock = std::chrono::steady_clock;
     const auto ms = [](Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); };
-    Session session({}, {}, 1);
+    Session session(flgAllocatorDefaults(), flgClockDefaults(), 1);
     Frames frames;
     for (uint32_t n = 0; n < kFrameSteps; ++n) {
         const Clock::time_point asked = Clock::now();
@@ -216,8 +253,83 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
+// What an operator on a small region costs, and one on each of many.
+void measure_small_regions(std::vector<Row>& rows) {
+    Session session(flgAllocatorDefaults(), {sizeof(FlgClock), nullptr, processor_ns});
+    session.finish(session.divide(FLG_TANGLE_OPERATOR_VORONOI, 0, samples(0.03f, kSmallCells), 1, 1));
+    const auto band = [&](uint32_t cell, float perturbation) {
+        return session.finish(session.divide(FLG_TANGLE_OPERATOR_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER),
+                                             0.01f, 1, perturbation));
+    };
+    band(1, 0);
+    std::vector<double> plain, perturbed, same, undo, redo, displaced_ns;
+    for (uint32_t cell = 2; cell < 22; ++cell) {
+        plain.push_back(band(cell, 0));
+        undo.push_back(session.undo());
+        redo.push_back(session.redo());
+        session.undo();
+        perturbed.push_back(band(cell, 0.003f));
+        session.undo();
+        same.push_back(band(cell, 0.003f));
+    }
+    char note[160];
+    std::snprintf(note, sizeof note, "longest %.2f; undo %.2f, redo %.2f",
+                  *std::max_element(plain.begin(), plain.end()), median(undo), median(redo));
+    rows.push_back(
+        below("2 M triangles: a band in a region of 10,000, median of 20", median(plain), "ms", kSmallMs, note));
+    std::snprintf(note, sizeof note, "the same noise again %.2f", median(same) / median(plain));
+    rows.push_back(below("2 M triangles: the same perturbed, over plain", median(perturbed) / median(plain), "x",
+                         kPerturbed, note));
+    const double displaced = session.finish(session.displace(0, 0.002f));
+    std::snprintf(note, sizeof note, "all %.0f ms, of these %.0f ms a field", displaced,
+                  session.stages_ms({"field", "sources", "solve"}));
+    const double moved = session.stages_ms({"displace"}) * 1e6 / session.vertex_count();
+    rows.push_back(below("2 M triangles: displacement, without the field", moved, "ns/vertex", kDisplaceNs, note));
+}
+
+void measure_each(std::vector<Row>& rows) {
+    Session session(flgAllocatorDefaults(), {sizeof(FlgClock), nullptr, processor_ns});
+    session.finish(session.divide(FLG_TANGLE_OPERATOR_VORONOI, 0, samples(0.02f, kEachCells), 1, 1));
+    double each = 0;
+    for (uint32_t cell = 1; cell <= kEachCells; ++cell)
+        each += session.finish(
+            session.divide(FLG_TANGLE_OPERATOR_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER), 0.01f, 1));
+    for (uint32_t cell = 0; cell < kEachCells; ++cell) session.undo();
+    const double together =
+        session.finish(session.divide(FLG_TANGLE_OPERATOR_CONTOUR, 0, borders(FLG_TANGLE_BORDERS_EACH), 0.01f, 1));
+    char note[160];
+    std::snprintf(note, sizeof note, "all at once %.0f ms", together);
+    rows.push_back(below("2 M triangles: a band in each of 223 regions", each, "ms", kEachMs, note));
+}
+
+void measure_random_steps(std::vector<Row>& rows) {
+    Session session(flgAllocatorDefaults(), {sizeof(FlgClock), nullptr, processor_ns});
+    session.finish(begin_step(session, 0));
+    std::vector<double> steps, undo, redo;
+    for (uint32_t n = 0; n < kRandomSteps; ++n) steps.push_back(session.finish(begin_random_step(session, n)));
+    const std::vector<double> first(steps.begin(), steps.begin() + kSteps);
+    const uint32_t made = session.info().undo_count - 1;
+    for (uint32_t i = 0; i < made; ++i) undo.push_back(session.undo());
+    for (uint32_t i = 0; i < made; ++i) redo.push_back(session.redo());
+    char note[160];
+    std::snprintf(note, sizeof note, "median %.1f ms", median(first));
+    rows.push_back(below("2 M triangles: random operators, mean of 200", mean(first), "ms", kOperatorMs, note));
+    std::snprintf(note, sizeof note, "mean %.1f ms; %u regions", mean(steps), session.info().region_count);
+    rows.push_back(below("2 M triangles: random operators, worst of 500", *std::max_element(steps.begin(), steps.end()),
+                         "ms", kWorstMs, note));
+    std::snprintf(note, sizeof note, "mean %.2f ms", mean(undo));
+    rows.push_back(
+        below("2 M triangles: undo of these, worst", *std::max_element(undo.begin(), undo.end()), "ms", kUndoMs, note));
+    std::snprintf(note, sizeof note, "mean %.2f ms", mean(redo));
+    rows.push_back(
+        below("2 M triangles: redo of these, worst", *std::max_element(redo.begin(), redo.end()), "ms", kUndoMs, note));
+}
+
 std::vector<Row> run_tangles() {
     std::vector<Row> rows;
+    measure_small_regions(rows);
+    measure_each(rows);
+    measure_random_steps(rows);
     CountingMemory memory;
     Session session(memory.hooks(), {sizeof(FlgClock), nullptr, processor_ns});
     const double solve = median_ms(3, [&] { return session.solve_ms(); });

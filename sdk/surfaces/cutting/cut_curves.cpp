@@ -102,7 +102,7 @@ private:
 
     uint32_t end_of_stretch(uint32_t point);
     void mark(uint32_t point);
-    void collect(uint32_t word);
+    uint32_t collect(uint32_t group);
     void gather(uint32_t point);
     uint32_t number(uint32_t slot);
     void number_edge(uint32_t first_point, CutTriangle::Edge& edge);
@@ -196,11 +196,14 @@ void CurveCutter::mark(uint32_t point) {
     if (across != no_index) touched_.insert(across);
 }
 
-void CurveCutter::collect(uint32_t word) {
-    for (uint64_t bits = touched_.bits(word); bits != 0; bits &= bits - 1) {
-        slots_[filled_].triangle = 64 * word + static_cast<uint32_t>(std::countr_zero(bits));
+// Returns what it cost.
+uint32_t CurveCutter::collect(uint32_t group) {
+    const uint32_t before = filled_;
+    touched_.visit(group, [this](uint32_t triangle) {
+        slots_[filled_].triangle = triangle;
         works_[filled_++] = {};
-    }
+    });
+    return 1 + 2 * (filled_ - before);
 }
 
 void CurveCutter::gather(uint32_t point) {
@@ -455,12 +458,13 @@ Task<void> divide(Pace& pace, CurveCutter& cutter) {
 Task<void> plan(Pace& pace, CurveCutter& cutter) {
     TriangleSet& touched = cutter.touched_;
     const size_t points = cutter.places_.size();
-    co_await each(pace, touched.word_count(), Cost::some_ns, [&](uint32_t word) { touched.clear_word(word); });
+    co_await each(pace, touched.group_count(), Cost::some_ns, [&](uint32_t group) { touched.clear_group(group); });
     co_await each(pace, points, Cost::hundreds_of_ns, [&](uint32_t point) { cutter.mark(point); });
-    co_await each(pace, touched.word_count(), Cost::some_ns, [&](uint32_t word) { touched.sum_word(word); });
+    co_await each(pace, touched.group_count(), Cost::hundreds_of_ns, [&](uint32_t group) { touched.sum_group(group); });
     cutter.slots_ = Buffer<CutTriangle>(touched.size(), pace.memory());
     cutter.works_ = Buffer<CurveCutter::Work>(touched.size(), pace.memory());
-    co_await each(pace, touched.word_count(), Cost::tens_of_ns, [&](uint32_t word) { cutter.collect(word); });
+    co_await each_by_work(pace, touched.group_count(), Cost::some_ns,
+                          [&](uint32_t group) { return cutter.collect(group); });
     cutter.curve_ = 0;
     co_await each(pace, points, Cost::hundreds_of_ns, [&](uint32_t point) { cutter.gather(point); });
     co_await each_by_work(pace, cutter.slots_.size(), Cost::hundreds_of_ns,

@@ -116,12 +116,15 @@ public:
     IsolineCutter(Mesh& mesh, MeshColumns& columns, uint32_t field, const CutLevels& levels, MeshEdit& edit,
                   Memory* memory);
 
-    uint32_t word_count() const { return crossed_.word_count(); }
-    void clear(uint32_t word) { crossed_.clear_word(word); }
+    uint32_t group_count() const { return crossed_.group_count(); }
+    void clear(uint32_t group) { crossed_.clear_group(group); }
+    // The next 64 triangles from there on in which the regions may be; no_index: none.
+    uint32_t next_word(uint32_t word) const { return map_.next(word); }
     void scan(uint32_t word);
-    void sum(uint32_t word) { crossed_.sum_word(word); }
+    void sum(uint32_t group) { crossed_.sum_group(group); }
     void make_slots(Memory* memory) { slots_ = Buffer<CutTriangle>(crossed_.size(), memory); }
-    void collect(uint32_t word);
+    // Returns what it cost.
+    uint32_t collect(uint32_t group);
     size_t slot_count() const { return slots_.size(); }
     void find_snaps(uint32_t slot);
     size_t snap_count() const { return snaps_.size(); }
@@ -200,7 +203,6 @@ IsolineCutter::IsolineCutter(Mesh& mesh, MeshColumns& columns, uint32_t field, c
 
 // Of 64 triangles labels those of the regions that no level touches, marks the others.
 void IsolineCutter::scan(uint32_t word) {
-    if (!map_.holds(word)) return;
     const uint32_t first = 64 * word, end = std::min(first + 64, mesh_.triangle_count());
     uint32_t others = 0;  // labels
     for (uint32_t triangle = first; triangle < end; ++triangle) others |= mesh_.regions[triangle] ^ region_;
@@ -254,10 +256,10 @@ bool IsolineCutter::scan_doubtful(uint32_t triangle) {
     return false;
 }
 
-void IsolineCutter::collect(uint32_t word) {
-    for (uint64_t bits = crossed_.bits(word); bits != 0; bits &= bits - 1) {
-        slots_[filled_++].triangle = 64 * word + static_cast<uint32_t>(std::countr_zero(bits));
-    }
+uint32_t IsolineCutter::collect(uint32_t group) {
+    const uint32_t before = filled_;
+    crossed_.visit(group, [this](uint32_t triangle) { slots_[filled_++].triangle = triangle; });
+    return 1 + filled_ - before;
 }
 
 bool IsolineCutter::may_cut(uint32_t triangle) const {
@@ -438,11 +440,18 @@ Task<void> embed_isolines(Pace& pace, Mesh& mesh, MeshColumns& columns, uint32_t
                           MeshEdit& edit) {
     constexpr uint32_t grown = 3200;  // elements, about 10 us
     IsolineCutter cutter(mesh, columns, field, levels, edit, pace.memory());
-    co_await each(pace, cutter.word_count(), Cost::some_ns, [&](uint32_t word) { cutter.clear(word); });
-    co_await each(pace, cutter.word_count(), Cost::hundreds_of_ns, [&](uint32_t word) { cutter.scan(word); });
-    co_await each(pace, cutter.word_count(), Cost::some_ns, [&](uint32_t word) { cutter.sum(word); });
+    co_await each(pace, cutter.group_count(), Cost::some_ns, [&](uint32_t group) { cutter.clear(group); });
+    uint32_t word = 0;
+    co_await repeat(pace, Cost::hundreds_of_ns, [&] {
+        word = cutter.next_word(word);
+        if (word == no_index) return false;
+        cutter.scan(word++);
+        return true;
+    });
+    co_await each(pace, cutter.group_count(), Cost::hundreds_of_ns, [&](uint32_t group) { cutter.sum(group); });
     cutter.make_slots(pace.memory());
-    co_await each(pace, cutter.word_count(), Cost::tens_of_ns, [&](uint32_t word) { cutter.collect(word); });
+    co_await each_by_work(pace, cutter.group_count(), Cost::some_ns,
+                          [&](uint32_t group) { return cutter.collect(group); });
     co_await each(pace, cutter.slot_count(), Cost::hundreds_of_ns, [&](uint32_t slot) { cutter.find_snaps(slot); });
     co_await each(pace, cutter.snap_count(), Cost::tens_of_ns, [&](uint32_t snap) { cutter.move(snap); });
     co_await each(pace, cutter.slot_count(), Cost::hundreds_of_ns, [&](uint32_t slot) { cutter.number(slot); });

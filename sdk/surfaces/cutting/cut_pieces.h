@@ -13,26 +13,45 @@
 namespace flg {
 
 // The triangles a cut changes, found by their index in constant time without a hash map: a bit a triangle, and for each
-// 64 of them how many were set before. Slots are numbered by rising triangle.
+// 64 of them how many were set before. Of 64 such words a bit says which are in use: only these are touched. Slots are
+// numbered by rising triangle.
 class TriangleSet {
 public:
-    TriangleSet(uint32_t triangle_count, Memory* memory) : words_((size_t{triangle_count} + 63) / 64, memory) {}
+    TriangleSet(uint32_t triangle_count, Memory* memory)
+        : words_((size_t{triangle_count} + 63) / 64, memory), used_((words_.size() + 63) / 64, memory) {}
 
-    uint32_t word_count() const { return static_cast<uint32_t>(words_.size()); }
+    uint32_t group_count() const { return static_cast<uint32_t>(used_.size()); }  // of 4096 triangles
     uint32_t size() const { return size_; }
 
-    // Every word must be cleared before any is filled; words before sums.
-    void clear_word(uint32_t word) { words_[word].bits = 0; }
-    void insert(uint32_t triangle) { words_[triangle / 64].bits |= uint64_t{1} << triangle % 64; }
-    // In rising order.
-    void sum_word(uint32_t word) {
-        words_[word].before = size_;
-        size_ += static_cast<uint32_t>(std::popcount(words_[word].bits));
+    // Every group must be cleared before any triangle is inserted; triangles before sums.
+    void clear_group(uint32_t group) { used_[group] = 0; }
+    void insert(uint32_t triangle) {
+        const uint32_t word = triangle / 64;
+        if (!is_used(word)) {
+            used_[word / 64] |= uint64_t{1} << word % 64;
+            words_[word].bits = 0;
+        }
+        words_[word].bits |= uint64_t{1} << triangle % 64;
     }
-    uint64_t bits(uint32_t word) const { return words_[word].bits; }
+    // In rising order.
+    void sum_group(uint32_t group) {
+        visit_words(group, [this](uint32_t word) {
+            words_[word].before = size_;
+            size_ += static_cast<uint32_t>(std::popcount(words_[word].bits));
+        });
+    }
+    // visit(triangle), rising.
+    template <class Visit>
+    void visit(uint32_t group, Visit visit) const {
+        visit_words(group, [&](uint32_t word) {
+            for (uint64_t bits = words_[word].bits; bits != 0; bits &= bits - 1)
+                visit(64 * word + static_cast<uint32_t>(std::countr_zero(bits)));
+        });
+    }
 
     // no_index if it is not one of them.
     uint32_t slot_of(uint32_t triangle) const {
+        if (!is_used(triangle / 64)) return no_index;
         const Word& word = words_[triangle / 64];
         const uint64_t bit = uint64_t{1} << triangle % 64;
         if ((word.bits & bit) == 0) return no_index;
@@ -44,7 +63,15 @@ private:
         uint64_t bits;
         uint32_t before;
     };
+    bool is_used(uint32_t word) const { return (used_[word / 64] >> word % 64 & 1) != 0; }
+    template <class Visit>
+    void visit_words(uint32_t group, Visit visit) const {
+        for (uint64_t left = used_[group]; left != 0; left &= left - 1)
+            visit(64 * group + static_cast<uint32_t>(std::countr_zero(left)));
+    }
+
     Buffer<Word> words_;
+    Buffer<uint64_t> used_;
     uint32_t size_ = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "runtime/each.h"
 #include "surfaces/geodesics/intrinsic_fan.h"
+#include "surfaces/geodesics/local_blocks.h"
 #include "surfaces/mesh/fan_walk.h"
 #include "surfaces/mesh/spatial_order.h"
 
@@ -198,10 +199,10 @@ void request_flips_around(const Mesh& mesh, const IntrinsicTriangles& flipped, u
     }
 }
 
-// Flips edges, and brings the fans of the vertices around up to date, to their triangles' curvatures.
-Task<void> flip_fans(Pace& pace, const Mesh& mesh, const GrowingBuffer<Position>& positions, FlipRequest& request,
-                     GeodesicBlocks& blocks) {
-    const IntrinsicSurface surface{.mesh = mesh, .positions = positions, .flipped = &blocks.flipped};
+// Flips edges within regions, and brings the fans of the vertices around up to date, to their triangles' curvatures.
+Task<void> flip_fans(Pace& pace, const Mesh& mesh, const GrowingBuffer<Position>& positions, const RegionSet* within,
+                     FlipRequest& request, GeodesicBlocks& blocks) {
+    const IntrinsicSurface surface{.mesh = mesh, .positions = positions, .within = within, .flipped = &blocks.flipped};
     const std::pmr::deque<uint32_t> changed = co_await flip_edges(pace, surface, request, blocks.flipped);
     const Buffer<CornerOfVertex> corners = co_await corners_by_vertex(pace, surface, changed);
     FanBuilder fans(mesh, positions, blocks);
@@ -282,20 +283,56 @@ float EdgeScale::mean() const {
     return mean > 0 ? mean : 1.0f;
 }
 
-Task<GeodesicBlocks> make_blocks(Pace& pace, const Mesh& mesh, const GrowingBuffer<Position>& positions) {
-    const uint32_t vertices = mesh.vertex_count();
-    Memory* memory = pace.memory();
+namespace {
+
+// Without ranks so far.
+GeodesicBlocks room_for_blocks(const Mesh& mesh, size_t count, Memory* memory) {
+    const auto ranks = static_cast<uint32_t>(count + 1);
     GeodesicBlocks blocks(memory);
-    blocks.blocks = growing_buffer<GeodesicBlock>(vertices + 1, memory);
-    blocks.overflow_of_rank = growing_buffer<uint32_t>(vertices + 1, memory);
-    blocks.curvatures = growing_buffer<float>(vertices + 1, memory);
-    blocks.vertex_of_rank = growing_buffer<uint32_t>(vertices + 1, memory);
-    blocks.rank_of_vertex = growing_buffer<uint32_t>(vertices + 1, memory);
-    blocks.rank_of_vertex.resize(vertices);
+    blocks.blocks = growing_buffer<GeodesicBlock>(ranks, memory);
+    blocks.overflow_of_rank = growing_buffer<uint32_t>(ranks, memory);
+    blocks.curvatures = growing_buffer<float>(ranks, memory);
+    blocks.vertex_of_rank = growing_buffer<uint32_t>(ranks, memory);
+    blocks.rank_of_vertex = growing_buffer<uint32_t>(mesh.vertex_count() + 1, memory);
+    blocks.rank_of_vertex.resize(mesh.vertex_count());
     blocks.blocks[nowhere] = {};
     blocks.curvatures[nowhere] = 0;
     blocks.vertex_of_rank[nowhere] = no_index;
+    blocks.triangle_count = mesh.triangle_count();
+    return blocks;
+}
 
+// The blocks of those of `count` ranks that have a fan.
+template <class HasFan>
+Task<void> build_fans(Pace& pace, const Mesh& mesh, const GrowingBuffer<Position>& positions, const RegionSet* within,
+                      uint32_t count, HasFan has_fan, GeodesicBlocks& blocks) {
+    FanBuilder fans(mesh, positions, blocks);
+    FlipRequest request(pace.memory());
+    co_await each(pace, count, Cost::hundreds_of_ns, [&](uint32_t i) {
+        if (i % fans_fetched == 0) {
+            const uint32_t* vertex_of_rank = &blocks.vertex_of_rank[i + 1];
+            fetch(
+                mesh, positions, blocks, [=](uint32_t k) { return vertex_of_rank[k]; }, count - i);
+        }
+        if (has_fan(i)) {
+            blocks.blocks[i + 1].lanes[lane_count - 1] = nowhere;
+            fans.build(i + 1, &request.edges);
+        } else {
+            blocks.blocks[i + 1] = {};
+            blocks.curvatures[i + 1] = 0;
+        }
+    });
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+        if (has_fan(i)) fans.finish(i + 1);
+    });
+    co_await flip_fans(pace, mesh, positions, within, request, blocks);
+}
+
+}  // namespace
+
+Task<GeodesicBlocks> make_blocks(Pace& pace, const Mesh& mesh, const GrowingBuffer<Position>& positions) {
+    const uint32_t vertices = mesh.vertex_count();
+    GeodesicBlocks blocks = room_for_blocks(mesh, vertices, pace.memory());
     {
         const SpatialOrder order = co_await spatial_order(pace, positions);
         co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t i) {
@@ -303,20 +340,21 @@ Task<GeodesicBlocks> make_blocks(Pace& pace, const Mesh& mesh, const GrowingBuff
             blocks.rank_of_vertex[order.vertex_at(i)] = i + 1;
         });
     }
-    FanBuilder fans(mesh, positions, blocks);
-    FlipRequest request(memory);
-    co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t i) {
-        if (i % fans_fetched == 0) {
-            const uint32_t* vertex_of_rank = &blocks.vertex_of_rank[i + 1];
-            fetch(
-                mesh, positions, blocks, [=](uint32_t k) { return vertex_of_rank[k]; }, vertices - i);
-        }
-        blocks.blocks[i + 1].lanes[lane_count - 1] = nowhere;
-        fans.build(i + 1, &request.edges);
+    co_await build_fans(
+        pace, mesh, positions, nullptr, vertices, [](uint32_t) { return true; }, blocks);
+    co_return blocks;
+}
+
+Task<GeodesicBlocks> make_blocks(Pace& pace, const Mesh& mesh, const GrowingBuffer<Position>& positions,
+                                 const Buffer<BlockVertex>& vertices, const RegionSet& regions) {
+    GeodesicBlocks blocks = room_for_blocks(mesh, vertices.size(), pace.memory());
+    co_await each(pace, vertices.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        blocks.vertex_of_rank[i + 1] = vertices[i].vertex;
+        blocks.rank_of_vertex[vertices[i].vertex] = i + 1;
     });
-    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t i) { fans.finish(i + 1); });
-    blocks.triangle_count = mesh.triangle_count();
-    co_await flip_fans(pace, mesh, positions, request, blocks);
+    co_await build_fans(
+        pace, mesh, positions, &regions, static_cast<uint32_t>(vertices.size()),
+        [&](uint32_t i) { return vertices[i].has_fan; }, blocks);
     co_return blocks;
 }
 
@@ -358,7 +396,7 @@ Task<void> update_blocks(Pace& pace, const Mesh& mesh, const std::pmr::deque<uin
         if (const uint32_t rank = old_rank(i); rank != nowhere) rebuild(rank);
     });
     co_await each(pace, added, Cost::microseconds, [&](uint32_t i) { rebuild(blocks.rank_of_vertex[before + i]); });
-    co_await flip_fans(pace, mesh, mesh.positions, request, blocks);
+    co_await flip_fans(pace, mesh, mesh.positions, nullptr, request, blocks);
     co_await each(pace, touched.size(), Cost::microseconds, [&](uint32_t i) {
         if (const uint32_t rank = old_rank(i); rank != nowhere) fans.finish_around(rank);
     });

@@ -168,7 +168,7 @@ Task<void> EdgeFlipper::sort_edges(Pace& pace, EdgeFlipper& flipper) {
     co_await each(pace, sorted.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
         if (i > 0 && sorted[i] == sorted[i - 1]) return;
         const Corner edge = sorted[i], across = surface.within_or_none(surface.mesh.opposite(edge));
-        if (across == no_index) return;
+        if (across == no_index || !surface.contains(triangle_of(edge))) return;
         const Quadrilateral quad = {surface.own_triangle(triangle_of(edge)), surface.own_triangle(triangle_of(across)),
                                     edge % 3, across % 3};
         if (quad.is_to_flip()) flipper.queue_.push_back(edge);
