@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/each.h"
+#include "runtime/run_now.h"
+
 namespace flg {
 
 namespace {
@@ -17,51 +20,57 @@ bool is_near(const Point2& a, const Point2& b, double distance) {
     return std::hypot(a.x - b.x, a.y - b.y) <= distance;
 }
 
-double diagonal_of(std::span<const Point2> points) {
-    Point2 low = points[0], high = points[0];
-    for (const Point2& p : points) {
+// What is asked of many points at once.
+struct Extent {
+    Point2 low, high;
+
+    void add(const Point2& p) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    return std::hypot(high.x - low.x, high.y - low.y);
+    double diagonal() const { return std::hypot(high.x - low.x, high.y - low.y); }
+};
+
+void check_numbers(const Point2& p, size_t i) {
+    if (!(std::fabs(p.x) <= largest && std::fabs(p.y) <= largest))
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: point %zu is (%g, %g); coordinates are finite, at most %g",
+                      i, p.x, p.y, largest);
 }
 
-void check_numbers(std::span<const Point2> points) {
-    for (size_t i = 0; i < points.size(); ++i) {
-        const Point2& p = points[i];
-        if (!(std::fabs(p.x) <= largest && std::fabs(p.y) <= largest))
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "contour: point %zu is (%g, %g); coordinates are finite, at most %g", i, p.x, p.y, largest);
-    }
-}
-
-double checked_diagonal(std::span<const Point2> points, std::span<const uint32_t> offsets) {
+Task<double> checked_diagonal(Pace& pace, std::span<const Point2> points, std::span<const uint32_t> offsets) {
     if (offsets.size() < 2 || points.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: it has no points");
-    check_numbers(points);
-    const double diagonal = diagonal_of(points);
-    if (diagonal < smallest_size)
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: all its points are within %g of each other", diagonal);
-    return diagonal;
+    Extent extent{points[0], points[0]};
+    co_await each(pace, points.size(), Cost::some_ns, [&](uint32_t i) {
+        check_numbers(points[i], i);
+        extent.add(points[i]);
+    });
+    if (extent.diagonal() < smallest_size)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: all its points are within %g of each other",
+                      extent.diagonal());
+    co_return extent.diagonal();
 }
 
-// How a ring turns at the lowest of its leftmost points, which is how all of it turns if it is simple.
-int turn_of(std::span<const Point2> ring) {
-    const auto least = [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
-    const auto corner = static_cast<size_t>(std::min_element(ring.begin(), ring.end(), least) - ring.begin());
-    return orientation(ring[(corner + ring.size() - 1) % ring.size()], ring[corner], ring[(corner + 1) % ring.size()]);
-}
-
-// How far the points are from one line at most: the one through two of them that are far apart.
-double height_of(std::span<const Point2> ring) {
+// How a ring turns at the lowest of its leftmost points, which is how all of it turns if it is simple; 0 if it has no
+// area: if all its points are near one line, through two that are far apart.
+Task<int> turn_of(Pace& pace, std::span<const Point2> ring) {
     const Point2& a = ring[0];
     Point2 b = a;
-    for (const Point2& p : ring) {
+    size_t corner = 0;
+    Extent extent{a, a};
+    co_await each(pace, ring.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Point2 &p = ring[i], &least = ring[corner];
+        if (p.x != least.x ? p.x < least.x : p.y < least.y) corner = i;
         if (std::hypot(p.x - a.x, p.y - a.y) > std::hypot(b.x - a.x, b.y - a.y)) b = p;
-    }
+        extent.add(p);
+    });
     const double length = std::hypot(b.x - a.x, b.y - a.y), dx = (b.x - a.x) / length, dy = (b.y - a.y) / length;
     double height = 0;
-    for (const Point2& p : ring) height = std::max(height, std::fabs((p.x - a.x) * dy - (p.y - a.y) * dx));
-    return height;
+    co_await each(pace, ring.size(), Cost::some_ns, [&](uint32_t i) {
+        height = std::max(height, std::fabs((ring[i].x - a.x) * dy - (ring[i].y - a.y) * dx));
+    });
+    if (height < thinnest * extent.diagonal()) co_return 0;
+    co_return orientation(ring[(corner + ring.size() - 1) % ring.size()], ring[corner],
+                          ring[(corner + 1) % ring.size()]);
 }
 
 Point2 crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
@@ -81,44 +90,53 @@ uint32_t Contour::next(uint32_t point) const {
     return point + 1 == offsets[ring + 1] ? offsets[ring] : point + 1;
 }
 
-Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory) {
-    const double same = same_place * checked_diagonal(points, offsets);
-    Contour contour(memory);
+Task<Contour> clean_contour(Pace& pace, std::span<const Point2> points, std::span<const uint32_t> offsets) {
+    const double same = same_place * co_await checked_diagonal(pace, points, offsets);
+    Contour contour(pace.memory());
     contour.points.reserve(points.size());
     contour.input_points.reserve(points.size());
     contour.offsets.reserve(offsets.size());
     for (size_t r = 0; r + 1 < offsets.size(); ++r) {
         const size_t begin = contour.points.size();
         contour.offsets.push_back(static_cast<uint32_t>(begin));
-        for (uint32_t i = offsets[r]; i < offsets[r + 1]; ++i) {
-            if (contour.points.size() > begin && is_near(contour.points.back(), points[i], same)) continue;
+        co_await each(pace, offsets[r], offsets[r + 1], Cost::tens_of_ns, [&](uint32_t i) {
+            if (contour.points.size() > begin && is_near(contour.points.back(), points[i], same)) return;
             contour.points.push_back(points[i]);
             contour.input_points.push_back(i);
-        }
-        while (contour.points.size() > begin + 1 && is_near(contour.points.back(), contour.points[begin], same)) {
+        });
+        co_await repeat(pace, Cost::tens_of_ns, [&] {
+            if (contour.points.size() <= begin + 1 || !is_near(contour.points.back(), contour.points[begin], same))
+                return false;
             contour.points.pop_back();
             contour.input_points.pop_back();
-        }
+            return true;
+        });
         const std::span<Point2> ring(contour.points.data() + begin, contour.points.size() - begin);
         if (ring.size() < 3)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "contour: ring %zu has %zu distinct points; a ring has three or more", r, ring.size());
-        const int turn = turn_of(ring);
-        if (turn == 0 || height_of(ring) < thinnest * diagonal_of(ring))
+        const int turn = co_await turn_of(pace, ring);
+        if (turn == 0)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "contour: ring %zu, with (%.9g, %.9g), has no area, or runs back on itself", r, ring[0].x,
                           ring[0].y);
-        if ((turn > 0) != (r == 0)) {
-            std::reverse(ring.begin(), ring.end());
-            std::reverse(contour.input_points.begin() + static_cast<ptrdiff_t>(begin), contour.input_points.end());
-        }
+        if ((turn > 0) == (r == 0)) continue;
+        const auto last = static_cast<uint32_t>(ring.size()) - 1;
+        co_await each(pace, ring.size() / 2, Cost::some_ns, [&](uint32_t i) {
+            std::swap(ring[i], ring[last - i]);
+            std::swap(contour.input_points[begin + i], contour.input_points[begin + last - i]);
+        });
     }
     contour.offsets.push_back(contour.size());
-    return contour;
+    co_return contour;
+}
+
+Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory) {
+    return run_now(memory, [&](Pace& pace) { return clean_contour(pace, points, offsets); });
 }
 
 Contour gather_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory) {
-    checked_diagonal(points, offsets);
+    run_now(memory, [&](Pace& pace) { return checked_diagonal(pace, points, offsets); });
     Contour contour(memory);
     for (size_t r = 0; r + 1 < offsets.size(); ++r) {
         if (r > 0 && offsets[r + 1] - offsets[r] < 3) continue;

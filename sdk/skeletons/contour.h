@@ -9,6 +9,7 @@
 
 #include "core/failure.h"
 #include "core/memory.h"
+#include "runtime/task.h"
 #include "skeletons/contour_fault.h"
 #include "skeletons/point2.h"
 
@@ -35,7 +36,9 @@ struct Contour {
 // has to be, and of points nearer to each other than 1e-11 of the size of all that follow each other the first is
 // kept. Points on one line with those around them stay. Throws for rings of fewer than three points or no area (all
 // points within 1e-10 of its size of one line) and for numbers that are not finite or whose squares are not; whether
-// rings cross is found when they are triangulated. Linear in the points.
+// rings cross is found when they are triangulated. Linear in the points, which outlive the task.
+Task<Contour> clean_contour(Pace& pace, std::span<const Point2> points, std::span<const uint32_t> offsets);
+// At once.
 Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory);
 
 // The rings as they are, for what repairs them: only numbers are checked, and that not all are in one place. Rings of

@@ -241,5 +241,49 @@ TEST(ContourRepair, SlicesDoNotMatter) {
     EXPECT_EQ(one.offsets, other.offsets);
 }
 
+// Counts what is taken and given back.
+class CountedMemory final : public Memory {
+public:
+    uint32_t calls = 0;
+
+private:
+    void* do_allocate(size_t size, size_t alignment) override {
+        ++calls;
+        return std::pmr::new_delete_resource()->allocate(size, alignment);
+    }
+    void do_deallocate(void* block, size_t size, size_t alignment) override {
+        ++calls;
+        std::pmr::new_delete_resource()->deallocate(block, size, alignment);
+    }
+    bool do_is_equal(const Memory& other) const noexcept override { return this == &other; }
+};
+
+// Some 5,000 crossings, as many cuts of an edge as there are corners. A thousand calls of an allocator are 100 us.
+TEST(ContourRepair, NoSliceTakesOrGivesBackMuchMemoryAtOnce) {
+    constexpr uint32_t corners = 101, step = 50;
+    std::vector<Point2> points;
+    for (uint32_t i = 0; i < corners; ++i) {
+        const double angle = 2 * M_PI * (i * step % corners) / corners;
+        points.push_back({std::cos(angle), std::sin(angle)});
+    }
+    const std::vector<uint32_t> offsets = {0, corners};
+    const Contour drawn = gather_contour(points, offsets, std::pmr::new_delete_resource());
+    CountedMemory memory;
+    uint32_t most = 0, slices = 0;
+    const Contour whole = run_haltingly(
+        &memory, [&](Pace& pace) { return repair_contour(pace, drawn); },
+        [&](const auto& slice) {
+            const uint32_t before = memory.calls;
+            slice();
+            most = std::max(most, memory.calls - before);
+            ++slices;
+        });
+    EXPECT_LT(most, 1'000u);
+    EXPECT_GT(slices, 1'000u);
+    // The largest piece is all of it: its outer corners, and between each two the point where their edges cross.
+    EXPECT_EQ(whole.size(), 2 * corners);
+    EXPECT_EQ(whole.ring_count(), 1u);
+}
+
 }  // namespace
 }  // namespace flg::test

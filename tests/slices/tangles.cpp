@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Ornament: divided, edited, undone, made again.
+#include "filigree/filigree_tangle.h"
+#include "slices/meshes.h"
+#include "slices/sized_jobs.h"
+
+namespace flg::slices {
+
+namespace {
+
+struct Decorated {
+    FlgSurface surface{};
+    FlgTangle tangle{};
+};
+
+Decorated begin(WatchedHost& host, uint32_t size) {
+    Decorated made;
+    made.surface = make_surface(host, waves(size));
+    host.call("flgTangleCreate", flgTangleCreate, made.surface, nullptr, &made.tangle, host.job());
+    host.made("flgTangleRelease", flgTangleRelease, made.tangle);
+    host.finish();
+    return made;
+}
+
+void divide(WatchedHost& host, FlgTangle tangle, FlgTangleOperator kind, uint32_t region, const FlgTangleSeeds& seeds,
+            float delta) {
+    FlgTangleDivideDesc desc = flgTangleDivideDefaults();
+    desc.tangle = tangle;
+    desc.kind = kind;
+    desc.regions = &region;
+    desc.region_count = 1;
+    desc.a = &seeds;
+    desc.delta = delta;
+    host.call("flgTangleDivide", flgTangleDivide, &desc, host.job());
+    host.finish();
+}
+
+void frame(WatchedHost& host, FlgTangle tangle) {
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
+    seeds.borders = FLG_TANGLE_BORDERS_OUTER;
+    divide(host, tangle, FLG_TANGLE_OPERATOR_CONTOUR, 0, seeds, 0.17f);
+}
+
+void contour(WatchedHost& host, uint32_t size) {
+    const Decorated made = begin(host, size);
+    frame(host, made.tangle);
+    FlgSurfaceCurves seen{};
+    host.call("flgTangleTraceBorders", flgTangleTraceBorders, made.tangle, nullptr, &seen, host.job());
+    host.made("flgSurfaceCurvesRelease", flgSurfaceCurvesRelease, seen);
+    host.finish();
+}
+
+void cells(WatchedHost& host, uint32_t size) {
+    const Decorated made = begin(host, size);
+    FlgTangleSeeds samples = flgTangleSeedsDefaults();
+    samples.sample_radius = 0.1f;
+    divide(host, made.tangle, FLG_TANGLE_OPERATOR_VORONOI, 0, samples, 0.1f);
+}
+
+void streams(WatchedHost& host, uint32_t size) {
+    const Decorated made = begin(host, size);
+    FlgTangleSeeds borders = flgTangleSeedsDefaults();
+    borders.borders = FLG_TANGLE_BORDERS_OUTER;
+    divide(host, made.tangle, FLG_TANGLE_OPERATOR_STREAM, 0, borders, 0.1f);
+}
+
+void edits(WatchedHost& host, uint32_t size) {
+    const Decorated made = begin(host, size);
+    frame(host, made.tangle);
+    const uint32_t inner = 2, both[] = {1, 2};
+    FlgTangleApplyMacroDesc dots = flgTangleApplyMacroDefaults();
+    dots.tangle = made.tangle;
+    dots.kind = FLG_TANGLE_MACRO_POLKA_DOTS;
+    dots.regions = &inner;
+    dots.region_count = 1;
+    dots.size = 0.05f;
+    dots.spacing = 0.15f;
+    host.call("flgTangleApplyMacro", flgTangleApplyMacro, &dots, host.job());
+    host.finish();
+    FlgTangleDisplaceDesc displace = flgTangleDisplaceDefaults();
+    displace.tangle = made.tangle;
+    displace.regions = &inner;
+    displace.region_count = 1;
+    displace.amount = 0.02f;
+    host.call("flgTangleDisplace", flgTangleDisplace, &displace, host.job());
+    host.finish();
+    host.call("flgTangleGroup", flgTangleGroup, made.tangle, both, 2u, nullptr, host.job());
+    host.finish();
+    host.call("flgTangleJoin", flgTangleJoin, made.tangle, both, 2u, nullptr, host.job());
+    host.finish();
+    for (int i = 0; i < 3; ++i) {
+        host.call("flgTangleUndo", flgTangleUndo, made.tangle, nullptr, host.job());
+        host.finish();
+    }
+    host.call("flgTangleRedo", flgTangleRedo, made.tangle, nullptr, host.job());
+    host.finish();
+    FlgTangleHistory history = flgTangleHistoryDefaults();
+    host.call("flgTangleGetHistory", flgTangleGetHistory, made.tangle, &history);
+    const Decorated other = begin(host, size);
+    host.copy("flgTangleReplay", flgTangleReplay, other.tangle, &history, nullptr, host.job());
+    host.finish();
+}
+
+constexpr SizedJob all[] = {
+    {"tangle_contour", contour},
+    {"tangle_cells", cells},
+    {"tangle_streams", streams},
+    {"tangle_edits", edits, 1'000'000},
+};
+
+}  // namespace
+
+std::span<const SizedJob> tangle_jobs() {
+    return all;
+}
+
+}  // namespace flg::slices
