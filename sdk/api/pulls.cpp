@@ -26,6 +26,7 @@ FlgPulledDesc default_pulled_desc() {
 FlgPullHandle default_handle() {
     auto handle = sized<FlgPullHandle>();
     handle.shares[0] = 1;
+    handle.radius = -1;
     return handle;
 }
 
@@ -45,6 +46,7 @@ void check_handle(const FlgPullHandle& handle, uint32_t number) {
         check(is_coordinate(value), "position", value, "finite and at most 1e30 in size");
     check(handle.compliance >= 0 && std::isfinite(handle.compliance), "compliance", handle.compliance,
           "0, or above and finite");
+    check(std::isfinite(handle.radius), "radius", handle.radius, "finite");
 }
 
 void check_keys(const FlgPullKeys& keys) {

@@ -78,7 +78,7 @@ MeshData read_from(const Path& path, const Origin& origin) {
              cited(extension).c_str());
     }
     const ByteBlock file = read_file(path, "");
-    if (extension == ".ply") return read_ply(file.bytes(), origin);
+    if (extension == ".ply") return read_ply(file.bytes(), path, origin);
     return extension == ".obj" ? read_obj_mesh(as_text(file.bytes()), path, origin)
                                : read_off(as_text(file.bytes()), origin);
 }

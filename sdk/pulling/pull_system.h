@@ -23,16 +23,18 @@ namespace flg {
 struct PullSystem {
     uint32_t count() const { return factor.size(); }
     double mass(uint32_t place) const { return masses[place]; }
+    double size = 0;  // metres: the diagonal of the box around the mesh
 
     // Vertices in the order in which they are eliminated.
     CholeskyFactor factor;
-    Buffer<uint32_t> place_of;  // by vertex of the mesh
-    Buffer<double> masses;
+    Buffer<uint32_t> place_of;             // by vertex of the mesh
+    Buffer<Vec3> rest;                     // by place: where it is at rest
+    Buffer<double> masses;                 // by place: shares of the area
     Buffer<uint32_t> offsets, neighbours;  // by place: where its neighbours begin; their places
     Buffer<float> weights;                 // by neighbour: w
 };
 
-// About 5 us a vertex, and 0.4 KB.
+// About 5 us a vertex, and 0.5 KB.
 Task<PullSystem> make_pull_system(Pace& pace, const Mesh& mesh);
 
 // Solves for points: four numbers each, in the order of elimination, in place and without memory. About 0.1 us a vertex

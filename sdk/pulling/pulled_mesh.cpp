@@ -51,6 +51,7 @@ Task<void> make_pulled(Pace& pace, std::shared_ptr<HeldPulled> pulled) {
         PullHandle handle;
         handle.at = load_vec3(from.position);
         handle.compliance = static_cast<double>(from.compliance);
+        handle.radius = static_cast<double>(from.radius);
         double sum = 0;
         for (const float share : from.shares) sum += static_cast<double>(share);
         for (uint32_t c = 0; c < 3; ++c) {
@@ -64,6 +65,11 @@ Task<void> make_pulled(Pace& pace, std::shared_ptr<HeldPulled> pulled) {
                 throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.handles[%u].vertices[%u] is vertex %u, of no triangle",
                               h, c, from.vertices[c]);
         }
+        // What has no share may be any vertex; so the same point is held the same.
+        const auto most =
+            static_cast<size_t>(std::max_element(handle.shares.begin(), handle.shares.end()) - handle.shares.begin());
+        for (uint32_t c = 0; c < 3; ++c)
+            if (handle.shares[c] == 0) handle.vertices[c] = handle.vertices[most];
         const bool is_first = std::none_of(handles.begin(), handles.end(),
                                            [&](const PullHandle& other) { return other.holds_as(handle); });
         if (is_first) handles.push_back(handle);

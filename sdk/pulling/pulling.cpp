@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/each.h"
 
@@ -19,6 +20,8 @@ constexpr double flattest = 1e-9;     // of the cubed trace: the Hessian's deter
 constexpr double rigid = 1e-9;        // of how far handles are apart: they move as one body
 constexpr double in_a_line = 1e-4;    // likewise: handles that leave a rotation open
 constexpr double soft_pivot = 1e-12;  // of the largest: handles that hold nearly the same share their force
+constexpr double usual_share = 0.04;  // of the mesh's size: the radius of a patch
+constexpr double least_edges = 2;     // of those beside a handle: what such a radius is at least
 using Matrix = Eigen::Matrix3d;
 using Rotation = Eigen::Quaterniond;
 
@@ -28,6 +31,9 @@ Eigen::Map<Vec3> point(Buffer<double>& values, uint32_t i) {
 using Row = Eigen::Vector4d;
 Eigen::Map<Row, Eigen::Aligned32> row(Buffer<double>& values, uint32_t i) {
     return Eigen::Map<Row, Eigen::Aligned32>(values.data() + size_t{width} * i);
+}
+Eigen::Map<const Row, Eigen::Aligned32> row(const Buffer<double>& values, uint32_t i) {
+    return Eigen::Map<const Row, Eigen::Aligned32>(values.data() + size_t{width} * i);
 }
 Rotation rotation_at(const Buffer<double>& rotations, uint32_t i) {
     const double* q = rotations.data() + size_t{width} * i;
@@ -78,6 +84,7 @@ public:
           rest_(size_t{width} * system.count(), pace.memory()),
           at_(size_t{width} * system.count(), pace.memory()),
           next_(size_t{width} * system.count(), pace.memory()),
+          radii_(pace.memory()),
           response_(pace.memory()) {}
 
     // Coroutines that are members take their frames from here.
@@ -94,10 +101,17 @@ public:
             rest_[size_t{width} * i + 3] = 0;
         });
         const bool goes_on = previous && !handles_.empty();
-        co_await each(pace_, size_t{width} * count, Cost::some_ns, [&](uint32_t i) {
-            at_[i] = rest_[i] + (goes_on ? previous->moved[i] : 0);
-            out_.rotations[i] = goes_on ? previous->rotations[i] : i % width == 3 ? 1 : 0;
-        });
+        if (goes_on) {
+            co_await each(pace_, count, Cost::tens_of_ns, [&](uint32_t i) {
+                row(at_, i) = row(std::as_const(rest_), i) + row(previous->moved, i);
+                row(out_.rotations, i) = row(previous->rotations, i);
+            });
+        } else {
+            co_await each(pace_, count, Cost::tens_of_ns, [&](uint32_t i) {
+                row(at_, i) = row(std::as_const(rest_), i);
+                row(out_.rotations, i) = Row::UnitW();
+            });
+        }
         if (!handles_.empty()) {
             co_await find_responses(previous);
             if (co_await move_as_one()) rounds = 0;
@@ -106,8 +120,8 @@ public:
                 co_await place();
             }
         }
-        co_await each(pace_, size_t{width} * count, Cost::some_ns,
-                      [&](uint32_t i) { out_.moved[i] = at_[i] - rest_[i]; });
+        co_await each(pace_, count, Cost::some_ns,
+                      [&](uint32_t i) { row(out_.moved, i) = row(at_, i) - row(rest_, i); });
     }
 
 private:
@@ -153,9 +167,60 @@ private:
         co_return true;
     }
 
+    Vec3 point_at_rest(const PullHandle& handle) const {
+        Vec3 sum = Vec3::Zero();
+        for (uint32_t c = 0; c < 3; ++c) sum += handle.shares[c] * system_.rest[system_.place_of[handle.vertices[c]]];
+        return sum;
+    }
+
+    // Patches end half way to the next handle: two that overlap would need huge forces to part.
+    Task<void> find_radii() {
+        const size_t size = handles_.size();
+        std::pmr::vector<Vec3> points(pace_.memory());
+        co_await each(pace_, size, Cost::tens_of_ns, [&](uint32_t h) { points.push_back(point_at_rest(handles_[h])); });
+        radii_.resize(size);
+        co_await each_by_work(pace_, size, Cost::some_ns, [&](uint32_t h) {
+            const double asked = handles_[h].radius;
+            double radius = asked < 0 ? usual_radius(system_, handles_[h]) : asked;
+            for (uint32_t k = 0; k < size; ++k)
+                if (k != h) radius = std::min(radius, 0.5 * (points[k] - points[h]).norm());
+            radii_[h] = radius;
+            return static_cast<uint32_t>(20 + size);
+        });
+    }
+
+    // The force of a handle on its patch: to number `k` of each row of next_, which are 0.
+    Task<void> spread_force(uint32_t h, size_t k) {
+        const PullHandle& handle = handles_[h];
+        const auto force = [&](uint32_t place) -> double& { return next_[size_t{width} * place + k]; };
+        const Vec3 point = point_at_rest(handle);
+        const double square = radii_[h] * radii_[h];
+        std::pmr::vector<uint32_t> patch(pace_.memory());
+        double sum = 0;
+        const auto reach = [&](uint32_t place) {
+            const double left = 1 - (system_.rest[place] - point).squaredNorm() / square;
+            if (!(left > 0) || force(place) > 0) return;
+            force(place) = system_.mass(place) * left * left;
+            sum += force(place);
+            patch.push_back(place);
+        };
+        for (uint32_t c = 0; square > 0 && c < 3; ++c)
+            if (handle.shares[c] > 0) reach(system_.place_of[handle.vertices[c]]);
+        Slice slice(Cost::tens_of_ns);
+        for (size_t i = 0; i < patch.size(); ++i) {
+            const uint32_t begin = system_.offsets[patch[i]], end = system_.offsets[patch[i] + 1];
+            for (uint32_t e = begin; e < end; ++e) reach(system_.neighbours[e]);
+            if (slice.is_over(1 + end - begin)) co_await pace_;
+        }
+        co_await each(pace_, patch.size(), Cost::some_ns, [&](uint32_t i) { force(patch[i]) /= sum; });
+        for (uint32_t c = 0; patch.empty() && c < 3; ++c)
+            force(system_.place_of[handle.vertices[c]]) += handle.shares[c];
+    }
+
     // What handles do to the surface; those of the frame before are kept.
     Task<void> find_responses(const PulledState* previous) {
         const uint32_t count = system_.count();
+        co_await find_radii();
         std::pmr::vector<uint32_t> missing(pace_.memory());
         out_.responses.resize(handles_.size());
         Slice slice(Cost::some_ns);
@@ -163,23 +228,21 @@ private:
             if (slice.is_over(1 + static_cast<uint32_t>(previous ? previous->responses.size() : 0))) co_await pace_;
             if (previous) {
                 for (const auto& known : previous->responses)
-                    if (known->handle.holds_as(handles_[h])) out_.responses[h] = known;
+                    if (known->handle.holds_as(handles_[h]) && known->handle.radius == radii_[h])
+                        out_.responses[h] = known;
             }
             if (!out_.responses[h]) missing.push_back(h);
         }
         for (size_t first = 0; first < missing.size(); first += width) {
             co_await each(pace_, next_.size(), Cost::some_ns, [&](uint32_t i) { next_[i] = 0; });
             const size_t some = std::min<size_t>(width, missing.size() - first);
-            for (size_t k = 0; k < some; ++k) {
-                const PullHandle& handle = handles_[missing[first + k]];
-                for (uint32_t c = 0; c < 3; ++c)
-                    next_[size_t{width} * system_.place_of[handle.vertices[c]] + k] += handle.shares[c];
-            }
+            for (size_t k = 0; k < some; ++k) co_await spread_force(missing[first + k], k);
             co_await solve_points(pace_, system_.factor, {next_.data(), next_.size()});
             for (size_t k = 0; k < some; ++k) {
                 auto made =
                     std::allocate_shared<PullResponse>(std::pmr::polymorphic_allocator<PullResponse>(pace_.memory()));
                 made->handle = handles_[missing[first + k]];
+                made->handle.radius = radii_[missing[first + k]];
                 made->values = Buffer<double>(count, pace_.memory());
                 co_await each(pace_, count, Cost::some_ns,
                               [&](uint32_t i) { made->values[i] = next_[size_t{width} * i + k]; });
@@ -197,19 +260,20 @@ private:
         return sum;
     }
 
-    // Cholesky of the handles' own matrix, dense, row by row.
+    // L U of the handles' own matrix, dense, row by row; the diagonal of L is 1. No pivot is sought: what answers most
+    // to a force is what it acts on.
     Task<void> factorize_responses() {
         const auto size = static_cast<uint32_t>(handles_.size());
         response_.resize(size_t{size} * size);
         double largest = 0;
         Slice slice(Cost::some_ns);
         for (uint32_t h = 0; h < size; ++h) {
-            for (uint32_t k = 0; k <= h; ++k) {
+            for (uint32_t k = 0; k < size; ++k) {
                 double value = answer(h, k) + (h == k ? handles_[h].compliance : 0);
                 if (h == k) largest = std::max(largest, value);
-                for (uint32_t m = 0; m < k; ++m) value -= at(h, m) * at(k, m);
-                at(h, k) = k < h ? value / at(k, k) : std::sqrt(std::max(value, soft_pivot * largest));
-                if (slice.is_over(8 + k)) co_await pace_;
+                for (uint32_t m = 0; m < std::min(h, k); ++m) value -= at(h, m) * at(m, k);
+                at(h, k) = k < h ? value / at(k, k) : k > h ? value : std::max(value, soft_pivot * largest);
+                if (slice.is_over(8 + std::min(h, k))) co_await pace_;
             }
         }
     }
@@ -217,10 +281,8 @@ private:
 
     // The local step, and with each rotation what it gives to the right-hand sides of the global one.
     Task<void> turn() {
-        co_await each(pace_, system_.count(), Cost::some_ns, [&](uint32_t i) {
-            point(next_, i) = system_.mass(i) * point(at_, i);
-            next_[size_t{width} * i + 3] = 0;
-        });
+        co_await each(pace_, system_.count(), Cost::some_ns,
+                      [&](uint32_t i) { row(next_, i) = system_.mass(i) * row(at_, i); });
         double energy = 0;
         co_await each(pace_, system_.count(), Cost::hundreds_of_ns, [&](uint32_t i) { energy += turn_one(i); });
         out_.energy = std::max(energy, 0.0);
@@ -272,11 +334,11 @@ private:
         for (uint32_t h = 0; h < size; ++h) {
             Vec3 off = handles_[h].at - held(next_, handles_[h]);
             for (uint32_t m = 0; m < h; ++m) off -= at(h, m) * forces[m];
-            forces[h] = off / at(h, h);
+            forces[h] = off;
             if (slice.is_over(8 + h)) co_await pace_;
         }
         for (uint32_t h = size; h-- > 0;) {
-            for (uint32_t m = h + 1; m < size; ++m) forces[h] -= at(m, h) * forces[m];
+            for (uint32_t m = h + 1; m < size; ++m) forces[h] -= at(h, m) * forces[m];
             forces[h] /= at(h, h);
             if (slice.is_over(8 + size - h)) co_await pace_;
         }
@@ -295,10 +357,23 @@ private:
     std::span<const PullHandle> handles_;
     PulledState& out_;
     Buffer<double> rest_, at_, next_;
-    std::pmr::vector<double> response_;  // the lower triangle of its factor
+    std::pmr::vector<double> radii_;     // of patches, by handle
+    std::pmr::vector<double> response_;  // its factors
 };
 
 }  // namespace
+
+double usual_radius(const PullSystem& system, const PullHandle& handle) {
+    double sum = 0;
+    uint32_t edges = 0;
+    for (uint32_t c = 0; c < 3; ++c) {
+        if (handle.shares[c] == 0) continue;
+        const uint32_t place = system.place_of[handle.vertices[c]];
+        for (uint32_t e = system.offsets[place]; e < system.offsets[place + 1]; ++e, ++edges)
+            sum += (system.rest[system.neighbours[e]] - system.rest[place]).norm();
+    }
+    return std::max(usual_share * system.size, edges > 0 ? least_edges * sum / edges : 0);
+}
 
 Task<void> pull(Pace& pace, const PullSystem& system, std::span<const float> rest, std::span<const PullHandle> handles,
                 const PulledState* previous, uint32_t rounds, PulledState& out) {

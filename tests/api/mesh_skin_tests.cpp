@@ -207,6 +207,7 @@ TEST(PulledMeshes, Refusals) {
     expect("desc.handles[0].shares", [&](FlgPulledDesc&) { handle.shares[0] = 0.5f; });
     expect("desc.handles[0].position", [&](FlgPulledDesc&) { handle.position[1] = NAN; });
     expect("desc.handles[0].compliance", [&](FlgPulledDesc&) { handle.compliance = -1; });
+    expect("desc.handles[0].radius", [&](FlgPulledDesc&) { handle.radius = INFINITY; });
     FlgPulledDesc desc = flgPulledDefaults();
     desc.pull = other;
     FlgPulled pulled{};

@@ -75,6 +75,78 @@ TEST(MeshLooks, ObjHasTextureCoordinatesAndMaterials) {
     EXPECT_EQ(flgMeshFileGetTexture(mesh.file, 1, &none), FLG_ERROR_INVALID_ARGUMENT);
 }
 
+const std::string ply_square_of_faces =
+    "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+    "property int texnumber\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+    "4 0 1 2 3 8 0 0 1 0 1 0.75 0 0.75 1\n3 0 2 3 6 0.5 0.5 0.25 0 1 1 0\n";
+
+// Of vertices by any of their names, before or behind the faces.
+TEST(MeshLooks, PlyHasTextureCoordinatesOfVertices) {
+    const Folder folder;
+    for (const auto& [u, v] : {std::pair("s", "t"), std::pair("u", "v"), std::pair("texture_u", "texture_v")}) {
+        const std::string vertices = "element vertex 3\nproperty float " + std::string(u) +
+                                     "\nproperty float x\nproperty float y\nproperty float z\nproperty double " + v +
+                                     "\n",
+                          faces = "element face 1\nproperty list uchar int vertex_indices\n",
+                          points = "0 0 0 0 0\n1 1 0 0 0.25\n0.5 1 1 0 1\n", corners = "3 0 2 1\n";
+        for (const bool faces_first : {false, true}) {
+            const Mesh mesh(folder.put("a.ply", "ply\nformat ascii 1.0\n" + (faces_first ? faces : vertices) +
+                                                    (faces_first ? vertices : faces) + "end_header\n" +
+                                                    (faces_first ? corners + points : points + corners)));
+            ASSERT_EQ(mesh.result, FLG_OK) << mesh.warnings;
+            EXPECT_EQ(mesh.warnings, "");
+            EXPECT_EQ(mesh.uvs(), std::vector<float>({0, 1, 0.5f, 0, 1, 0.75f})) << u;
+        }
+    }
+    // Half of a pair is none.
+    const Mesh half(folder.put("a.ply",
+                               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                               "property float z\nproperty float u\nelement face 1\n"
+                               "property list uchar int vertex_indices\nend_header\n"
+                               "0 0 0 1\n1 0 0 1\n1 1 0 1\n3 0 1 2\n"));
+    ASSERT_EQ(half.result, FLG_OK) << half.warnings;
+    EXPECT_EQ(half.info.corner_uvs, nullptr);
+}
+
+TEST(MeshLooks, PlyHasTextureCoordinatesOfCornersAndTextures) {
+    const Folder folder;
+    folder.put("red one.png", png);
+    const Mesh mesh(
+        folder.put("a.ply", "ply\nformat ascii 1.0\ncomment TextureFile red one.png\n" + ply_square_of_faces));
+    ASSERT_EQ(mesh.result, FLG_OK) << mesh.warnings;
+    EXPECT_EQ(mesh.warnings, "");
+    ASSERT_EQ(mesh.view.vertex_count, 4u) << "corners, not vertices, have texture coordinates";
+    EXPECT_EQ(mesh.uvs(),
+              std::vector<float>({0, 1, 1, 1, 1, 0.25f, 0, 1, 1, 0.25f, 0, 0.25f, 0.5f, 0.5f, 0.25f, 1, 1, 0}));
+    ASSERT_EQ(mesh.info.texture_count, 1u);
+    const FlgTexture texture = mesh.texture(0);
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(texture.picture), texture.picture_size), png);
+    // The first face has number 1, which is none of the textures.
+    ASSERT_EQ(mesh.info.material_count, 2u);
+    EXPECT_EQ(std::vector<uint32_t>(mesh.view.regions, mesh.view.regions + 3), std::vector<uint32_t>({1, 1, 0}));
+    EXPECT_EQ(mesh.material(0).texture, 0u);
+    EXPECT_EQ(mesh.material(1).texture, FLG_NO_INDEX);
+}
+
+TEST(MeshLooks, WhatAPlyLacksIsNamed) {
+    const Folder folder;
+    const Mesh alone(folder.put("a.ply", "ply\nformat ascii 1.0\ncomment TextureFile red.png\n" + ply_square_of_faces));
+    ASSERT_EQ(alone.result, FLG_OK) << alone.warnings;
+    EXPECT_EQ(alone.warnings, "the texture 'red.png' can't be read: left out\n");
+    const Mesh outside(
+        folder.put("b.ply", "ply\nformat ascii 1.0\ncomment TextureFile ../a.ply\n" + ply_square_of_faces));
+    EXPECT_EQ(outside.warnings, "the texture '../a.ply' can't be read: left out\n");
+    std::string lists = ply_square_of_faces;
+    lists.replace(lists.find("6 0.5 0.5"), 3, "2 0.5 0.5 1\n#");
+    lists.resize(lists.find('#'));
+    const Mesh short_list(folder.put("c.ply", "ply\nformat ascii 1.0\n" + lists));
+    ASSERT_EQ(short_list.result, FLG_OK) << short_list.warnings;
+    EXPECT_NE(short_list.warnings.find("texcoord that has not two values a corner: left out"), std::string::npos)
+        << short_list.warnings;
+    EXPECT_EQ(short_list.uvs()[17], 0);
+}
+
 TEST(MeshLooks, WhatAnObjLacksIsNamed) {
     const Folder folder;
     const Mesh alone(folder.put("square.obj", square));

@@ -159,6 +159,46 @@ TEST(SkinMorphs, VerticesThatAreThereTwiceMoveTogether) {
     }
 }
 
+// Levels of detail have the same shapes, by the same weights.
+TEST(SkinMorphs, LevelsOfDetailHaveThem) {
+    TestSkin skin = bar(), coarse = bar(9, 6);
+    Morphed morphed(skin);
+    const FlgSkinView level = coarse.view();
+    std::vector<float> up(coarse.positions.size()), aside(coarse.positions.size());
+    for (size_t v = 0; v < coarse.vertex_count(); ++v) {
+        up[3 * v + 1] = 1;
+        aside[3 * v + 2] = static_cast<float>(v);
+    }
+    FlgMorphTarget of_level[2] = {flgMorphTargetDefaults(), flgMorphTargetDefaults()};
+    of_level[0].moves = up.data();
+    of_level[1].moves = aside.data();
+    morphed.desc.levels = &level;
+    morphed.desc.level_count = 1;
+    ASSERT_EQ(morphed.write(), FLG_OK) << flgIoErrorGetMessage();
+    EXPECT_TRUE(load_model(morphed.path).meshes.at(1).primitives.at(0).targets.empty());
+    morphed.desc.level_morphs = of_level;
+    ASSERT_EQ(morphed.write(), FLG_OK) << flgIoErrorGetMessage();
+    const tinygltf::Model model = load_model(morphed.path);
+    const tinygltf::Mesh& mesh = model.meshes.at(1);
+    ASSERT_EQ(mesh.primitives.at(0).targets.size(), 2u);
+    EXPECT_EQ(mesh.extras, model.meshes[0].extras);
+    const auto& moves = model.accessors.at(static_cast<size_t>(mesh.primitives[0].targets[1].at("POSITION")));
+    EXPECT_EQ(moves.count, coarse.vertex_count());
+    EXPECT_EQ(moves.maxValues.at(2), static_cast<double>(coarse.vertex_count() - 1));
+    ASSERT_EQ(model.animations.size(), 1u);
+    const auto& channels = model.animations[0].channels;
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_EQ(channels[0].sampler, channels[1].sampler);
+    EXPECT_EQ(model.nodes.at(static_cast<size_t>(channels[1].target_node)).mesh, 1);
+    // Of the finest nothing changed.
+    const ReadFile read(morphed.path);
+    EXPECT_EQ(read.info.warning_count, 0u) << read.info.warnings[0];
+    EXPECT_EQ(read.target(0).moves[3], 0.5f);
+    EXPECT_EQ(read.info.morph_animation_count, 1u);
+    aside[5] = NAN;
+    EXPECT_EQ(morphed.refusal(), "desc.level_morphs[1].moves[5]: is nan, must be finite and at most 1e30 in size");
+}
+
 TEST(SkinMorphs, RefusalsNamePlaceAndValue) {
     TestSkin skin = bar();
     {

@@ -103,6 +103,79 @@ TEST(Pulling, HandlesAreMet) {
     }
 }
 
+// The largest share by which an edge of the surface is longer than at rest.
+double largest_stretch(const Pulled& p) {
+    double largest = 0;
+    for (uint32_t t = 0; t < p.repaired.mesh().triangle_count(); ++t) {
+        const Triple& triangle = p.repaired.mesh().triangles[t];
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
+            largest = std::max(largest, (p.at(a) - p.at(b)).norm() / (p.at_rest(a) - p.at_rest(b)).norm() - 1);
+        }
+    }
+    return largest;
+}
+
+// A side of a bar pulled out by twice its width, its ends held.
+double stretch_of_hard_pull(uint32_t around, double radius) {
+    Triangles t;
+    t.add_tube({0, 0, 0}, 0.2, {0, 2, 0}, 0.2, around, 2 * around);
+    Pulled p(t);
+    std::vector<PullHandle> handles = {p.handle({0.2, 0, 0}), p.handle({-0.2, 0, 0}), p.handle({0.2, 2, 0}),
+                                       p.handle({-0.2, 2, 0}), p.handle({0.2, 1, 0}, {0.8, 0, 0})};
+    for (PullHandle& handle : handles) handle.radius = radius;
+    p.pull_once(handles, 60);
+    for (const PullHandle& handle : handles) EXPECT_LT((p.at(handle.vertices[0]) - handle.at).norm(), 1e-7);
+    return largest_stretch(p);
+}
+
+TEST(Pulling, HardPullsMakeNoSpike) {
+    // At one vertex, the finer the mesh the longer the spike; a patch holds the surface, whatever its triangles.
+    const double coarse_spike = stretch_of_hard_pull(24, 0), spike = stretch_of_hard_pull(48, 0);
+    EXPECT_GT(spike, 1.5 * coarse_spike);
+    const double coarse = stretch_of_hard_pull(24, 0.15), fine = stretch_of_hard_pull(48, 0.15);
+    EXPECT_NEAR(fine, coarse, 0.15 * coarse);
+    EXPECT_LT(fine, 0.35 * spike);
+    EXPECT_LT(stretch_of_hard_pull(48, -1), 0.45 * spike);
+}
+
+TEST(Pulling, PatchesSettle) {
+    Pulled p(bar());
+    std::vector<PullHandle> handles = {p.handle({0.2, 0, 0}), p.handle({-0.2, 0, 0}), p.handle({0, 0, 0.2}),
+                                       p.handle({0, 2.2, 0}, {0.2, 0, 0})};
+    for (PullHandle& handle : handles) handle.radius = 0.25;
+    p.pull_once(handles, 3000);
+    const double before = p.state->energy;
+    std::vector<Vec3> places;
+    for (uint32_t v = 0; v < p.count(); ++v) places.push_back(p.at(v));
+    p.pull_once(handles, 100);
+    EXPECT_NEAR(p.state->energy, before, 1e-6 * before);
+    for (uint32_t v = 0; v < p.count(); ++v) EXPECT_LT((p.at(v) - places[v]).norm(), 1e-4);
+}
+
+TEST(Pulling, PatchesOfHandlesBesideEachOtherEndInBetween) {
+    Pulled p(bar());
+    std::vector<PullHandle> handles = {p.handle({0, 0, 0.2}), p.handle({0.2, 1, 0}, {0.1, 0, 0}),
+                                       p.handle({0.2, 1.1, 0}, {-0.1, 0, 0})};
+    ASSERT_NE(handles[1].vertices, handles[2].vertices);
+    for (PullHandle& handle : handles) handle.radius = 3;
+    p.pull_once(handles, 30);
+    for (const PullHandle& handle : handles) EXPECT_LT((p.at(handle.vertices[0]) - handle.at).norm(), 1e-7);
+    EXPECT_LT(largest_stretch(p), 3);
+    EXPECT_LE(p.state->responses[1]->handle.radius,
+              0.5 * (p.at_rest(handles[1].vertices[0]) - p.at_rest(handles[2].vertices[0])).norm());
+}
+
+// A radius that reaches no other vertex holds the point alone.
+TEST(Pulling, SmallPatchesArePoints) {
+    Pulled points(bar()), patches(bar());
+    std::vector<PullHandle> handles = {points.handle({0, 0, 0.2}), points.handle({0, 2.2, 0}, {0.5, 0, 0})};
+    points.pull_once(handles, 5);
+    for (PullHandle& handle : handles) handle.radius = 1e-3;
+    patches.pull_once(handles, 5);
+    for (uint32_t v = 0; v < points.count(); ++v) EXPECT_LT((points.at(v) - patches.at(v)).norm(), 1e-9);
+}
+
 TEST(Pulling, SpringsGiveWay) {
     Pulled p(bar());
     double before = 0;
@@ -173,8 +246,8 @@ TEST(Pulling, APoseIsWhatPullingAddsTo) {
 TEST(Pulling, SameBitsWhereverItPauses) {
     Pulled whole(bar()), halting(bar());
     for (int frame = 0; frame < 3; ++frame) {
-        const std::vector<PullHandle> handles = {whole.handle({0, -0.2, 0}),
-                                                 whole.handle({0, 2.2, 0}, {0.2 * frame, 0, 0})};
+        std::vector<PullHandle> handles = {whole.handle({0, -0.2, 0}), whole.handle({0, 2.2, 0}, {0.2 * frame, 0, 0})};
+        handles[1].radius = 0.3;
         whole.pull_once(handles, 2);
         halting.pull_once(handles, 2, true);
     }

@@ -2791,6 +2791,13 @@ struct SkinFileWriteDesc : FlgSkinFileWriteDesc {
     }
     /// A list would end before the descriptor is used.
     void set_morph_animations(std::initializer_list<FlgMorphAnimation>) = delete;
+    /// Sets level_morphs and level_count. The array must live until the descriptor is used.
+    void set_level_morphs(Span<const FlgMorphTarget> values) {
+        level_morphs = values.data();
+        level_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_level_morphs(std::initializer_list<FlgMorphTarget>) = delete;
 };
 
 /// FlgMotionFileWriteDesc with its defaults.
@@ -4323,9 +4330,10 @@ public:
         return detail::made<flgIoErrorGetMessage>(result, MeshFaceColumn(out_column));
     }
 
-    /// The material of a region in a .gltf or .glb file, or of one in an .obj file's `mtllib`, 0 to the info's
-    /// material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files metallic
-    /// 0. Lines are read only from this library's files: glTF has none. Its name lives until the file is released.
+    /// The material of a region in a .gltf or .glb file, in an .obj file's `mtllib`, of a .ply file's textures, 0 to
+    /// the info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj
+    /// files metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until the file is
+    /// released.
     /// Calls flgMeshFileGetMaterial.
     Result<MeshMaterial> material(uint32_t material) const {
         FlgMeshMaterial out_material;
@@ -4461,13 +4469,14 @@ public:
     /// a node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have POSITION,
     /// NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART, with corner_uvs TEXCOORD_0, with vertex_colors COLOR_0.
     /// They keep their order; of those whose corners differ in texture coordinates, copies follow after all. Morph
-    /// targets have POSITION and NORMAL, sparse where few vertices move; their weights are animated at the mesh's node.
-    /// Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1, ...; the first is in the scene and
-    /// refers to the others by MSFT_lod, so programs that do not know it show the finest alone. Rotations that stay at
-    /// identity are omitted. Refuses what glTF forbids: joints out of range or twice at a vertex, weights that do not
-    /// sum to 1 within 0.0001, quaternions that are not of length 1 within 0.001, times that do not rise, values that
-    /// are not finite, parents that do not come first. Cost: about 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT,
-    /// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB).
+    /// targets have POSITION and NORMAL, sparse where few vertices move; their weights are animated at the mesh's node,
+    /// and at those of levels that have them. Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1,
+    /// ...; the first is in the scene and refers to the others by MSFT_lod, so programs that do not know it show the
+    /// finest alone. Rotations that stay at identity are omitted. Refuses what glTF forbids: joints out of range or
+    /// twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are not of length 1 within
+    /// 0.001, times that do not rise, values that are not finite, parents that do not come first. Cost: about 0.8 us a
+    /// vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
+    /// FLG_ERROR_LIMIT (2 GiB).
     /// Calls flgSkinFileWrite.
     static Result<bool> write(const char* path, const SkinFileWriteDesc& desc) {
         const FlgResult result = flgSkinFileWrite(path, &desc);

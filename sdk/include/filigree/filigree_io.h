@@ -29,7 +29,9 @@
  *   .ply          reads ascii and binary, writes little-endian binary. Vertices: positions, colours (0 to 1 if they are
  *                 integers), normals and the columns this library writes, by the names below. Faces: the list
  *                 vertex_indices, and integer properties, of which `region` becomes the view's regions; or `tristrips`.
- *                 Other elements and properties are skipped, texture coordinates with a warning
+ *                 Reads texture coordinates: `s t`, `u v` or `texture_u texture_v` of vertices, lists `texcoord` of
+ *                 faces, with the textures of comments `TextureFile` below the file's folder, by `texnumber`. Other
+ *                 elements and properties are skipped
  *   .obj          faces (`f`) and positions with colours (`v x y z r g b`). Regions are materials (`usemtl`), numbered
  *                 from 0 in order of first use, and written as such. Texture coordinates (`vt`) are read, and materials
  *                 of `mtllib` files below the file's folder: Kd, map_Kd, Pr, Pm. Normals are skipped
@@ -288,8 +290,8 @@ typedef struct FlgMeshMaterial {
 
 FLG_API FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint32_t struct_size);
 
-/* The material of a region in a .gltf or .glb file, or of one in an .obj file's `mtllib`, 0 to the info's
- * material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files metallic 0.
+/* The material of a region in a .gltf or .glb file, in an .obj file's `mtllib`, of a .ply file's textures, 0 to the
+ * info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files metallic 0.
  * Lines are read only from this library's files: glTF has none. Its name lives until the file is released. */
 FLG_API FlgResult flgMeshFileGetMaterial(FlgMeshFile file, uint32_t material, FlgMeshMaterial* out_material);
 
@@ -485,10 +487,12 @@ typedef struct FlgSkinFileWriteDesc {
                                     corner_uvs. Default null */
     const float* vertex_colors;  /* 4 per vertex of the skin, linear RGBA, 0 to 1: times the materials' colour. Levels
                                     of detail have none. Default null */
-    const FlgMorphTarget* morphs; /* shapes of the skin; levels of detail have none. Default null */
+    const FlgMorphTarget* morphs; /* shapes of the skin. Default null */
     const FlgMorphAnimation* morph_animations; /* default null */
     uint32_t morph_count;           /* up to 65535. Default 0 */
     uint32_t morph_animation_count; /* default 0 */
+    const FlgMorphTarget* level_morphs; /* the same shapes of the levels of detail: morph_count of each, level by level;
+                                           their names are not read. Null: levels have none. Default null */
 } FlgSkinFileWriteDesc;
 
 FLG_API FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size);
@@ -497,11 +501,12 @@ FLG_API FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t 
  * node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have POSITION, NORMAL,
  * JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART, with corner_uvs TEXCOORD_0, with vertex_colors COLOR_0. They keep their
  * order; of those whose corners differ in texture coordinates, copies follow after all. Morph targets have POSITION and
- * NORMAL, sparse where few vertices move; their weights are animated at the mesh's node. Levels of detail are meshes of
- * the same skin, named NAME_LOD0, NAME_LOD1, ...; the first is in the scene and refers to the others by MSFT_lod, so
- * programs that do not know it show the finest alone. Rotations that stay at identity are omitted. Refuses what glTF
- * forbids: joints out of range or twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are
- * not of length 1 within 0.001, times that do not rise, values that are not finite, parents that do not come first.
+ * NORMAL, sparse where few vertices move; their weights are animated at the mesh's node, and at those of levels that
+ * have them. Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1, ...; the first is in the scene
+ * and refers to the others by MSFT_lod, so programs that do not know it show the finest alone. Rotations that stay at
+ * identity are omitted. Refuses what glTF forbids: joints out of range or twice at a vertex, weights that do not sum to
+ * 1 within 0.0001, quaternions that are not of length 1 within 0.001, times that do not rise, values that are not
+ * finite, parents that do not come first.
  * Cost: about 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension,
  * FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
 FLG_API FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileWriteDesc* desc);

@@ -50,6 +50,9 @@ typedef struct FlgPullHandle {
     float position[3];    /* metres. Default 0 */
     float compliance;     /* how far it gives way to a unit of force: that on an edge of weight 1 a metre too long; 0:
                              it is there exactly. Finite, 0 or above. Default 0 */
+    float radius;         /* metres, at rest: it pulls at the surface within this of its point, hardest in the middle,
+                             so that no spike is pulled out. At most half way to the next handle. 0: at the point
+                             alone. Below 0: 0.04 of the mesh's diagonal, at least two edges. Finite. Default -1 */
 } FlgPullHandle;
 
 FLG_API FlgResult flgPullHandleInit(FlgPullHandle* handle, uint32_t struct_size);

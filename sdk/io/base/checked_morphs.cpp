@@ -20,16 +20,16 @@ FlgMorphAnimation animation_defaults() {
 
 }  // namespace
 
-CheckedMorphs::CheckedMorphs(const FlgSkinFileWriteDesc& desc) {
+CheckedMorphs::CheckedMorphs(const FlgSkinFileWriteDesc& desc, std::span<const FlgSkinView> meshes)
+    : count_(desc.morph_count), has_levels_(desc.level_morphs != nullptr) {
     if (desc.morph_count > max_targets)
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.morph_count", "is %u, must be at most %u", desc.morph_count,
              max_targets);
     if (desc.morph_count != 0) check_argument(desc.morphs, "desc.morphs");
-    for (uint32_t i = 0; i < desc.morph_count; ++i) {
-        const String place = element_of("desc.morphs", i);
-        targets_.push_back(read_element<Longer::cut>(desc.morphs, i, sized<FlgMorphTarget>(), place.c_str()));
-        check_target(targets_.back(), desc.skin->vertex_count, place);
-    }
+    add_targets(desc.morphs, meshes[0].vertex_count, 0, "desc.morphs");
+    for (size_t level = 1; has_levels_ && level < meshes.size(); ++level)
+        add_targets(desc.level_morphs, meshes[level].vertex_count, static_cast<uint32_t>((level - 1) * count_),
+                    "desc.level_morphs");
     if (desc.morph_animation_count == 0) return;
     check_argument(desc.morph_animations, "desc.morph_animations");
     if (targets_.empty())
@@ -46,6 +46,14 @@ CheckedMorphs::CheckedMorphs(const FlgSkinFileWriteDesc& desc) {
     }
 }
 
+void CheckedMorphs::add_targets(const FlgMorphTarget* from, size_t vertex_count, uint32_t first, const String& list) {
+    for (uint32_t i = first; i < first + count_; ++i) {
+        const String place = element_of(list, i);
+        targets_.push_back(read_element<Longer::cut>(from, i, sized<FlgMorphTarget>(), place.c_str()));
+        check_target(targets_.back(), vertex_count, place);
+    }
+}
+
 void CheckedMorphs::check_target(const FlgMorphTarget& target, size_t vertex_count, const String& place) const {
     check_name(target.name, place + ".name");
     check_floats(target.moves, 3 * vertex_count, place + ".moves");
@@ -57,7 +65,7 @@ void CheckedMorphs::check_animation(const FlgMorphAnimation& animation, uint32_t
     check_name(animation.name, place + ".name");
     if (animation.key_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, place + ".key_count", "is 0, must be at least 1");
     check_times(animation.times, animation.key_count, place + ".times");
-    check_floats(animation.weights, targets_.size() * animation.key_count, place + ".weights");
+    check_floats(animation.weights, count_ * animation.key_count, place + ".weights");
     if (animation.animation != FLG_NO_INDEX && animation.animation >= skin_animations)
         fail(FLG_ERROR_INVALID_ARGUMENT, place + ".animation", "is %u, but there are %u animations",
              animation.animation, skin_animations);

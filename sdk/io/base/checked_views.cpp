@@ -294,7 +294,7 @@ CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
         if (materials_[i].texture != FLG_NO_INDEX && materials_[i].texture >= textures_.size())
             fail(FLG_ERROR_INVALID_ARGUMENT, element_of("desc.materials", i) + ".texture",
                  "is %u, but there are %zu textures", materials_[i].texture, textures_.size());
-    morphs_ = CheckedMorphs(desc_);
+    morphs_ = CheckedMorphs(desc_, meshes_);
     check_labels(skin(), "desc.skin");
     for (uint32_t i = 0; i < desc_.level_count; ++i) check_labels(meshes_[i + 1], element_of("desc.levels", i));
     if (desc_.rig) check_rig();

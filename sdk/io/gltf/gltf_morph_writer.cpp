@@ -52,10 +52,10 @@ WeldedPlaces::WeldedPlaces(const float* positions, size_t vertex_count) : places
 }
 
 String MorphWriter::add_targets() {
-    if (morphs_.targets().empty()) return "";
+    if (targets_.empty()) return "";
     const WeldedPlaces places(mesh_.positions, mesh_.vertex_count);
     String list;
-    for (const FlgMorphTarget& target : morphs_.targets()) {
+    for (const FlgMorphTarget& target : targets_) {
         if (!list.empty()) list += ',';
         const size_t moves = glb_.add_moves(written(target.moves), true);
         const Vector<float> normals =
@@ -65,19 +65,20 @@ String MorphWriter::add_targets() {
     return ",\"targets\":[" + list + "]";
 }
 
-String MorphWriter::mesh_members() const {
-    if (morphs_.targets().empty()) return "";
+String MorphWriter::mesh_members(std::span<const FlgMorphTarget> named) const {
+    if (targets_.empty()) return "";
     String weights, names;
-    for (size_t i = 0; i < morphs_.targets().size(); ++i) {
-        const char* name = morphs_.targets()[i].name;
+    for (size_t i = 0; i < targets_.size(); ++i) {
+        const char* name = named[i].name;
         weights += i == 0 ? "0" : ",0";
-        names += (i == 0 ? "" : ",") + json_text(name ? String(name) : "target " + to_text(i));
+        if (i > 0) names += ',';
+        names += json_text(name ? String(name) : "target " + to_text(i));
     }
     return ",\"weights\":[" + weights + "],\"extras\":{\"targetNames\":[" + names + "]}";
 }
 
 String MorphWriter::add_sampler(const FlgMorphAnimation& animation) {
-    const size_t count = animation.key_count * morphs_.targets().size();
+    const size_t count = animation.key_count * targets_.size();
     const size_t times = glb_.add_times({animation.times, animation.key_count});
     const size_t weights =
         glb_.add_accessor(glb_.add_plain_view({animation.weights, count}), 0, count, glb_float, "SCALAR");

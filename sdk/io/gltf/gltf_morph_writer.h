@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "io/base/checked_morphs.h"
+#include "filigree/filigree_io.h"
 #include "io/gltf/glb_builder.h"
 
 namespace flg::io {
@@ -25,14 +25,14 @@ private:
 class MorphWriter {
 public:
     // Vertex i that is written is vertex sources[i] of the mesh. All outlive this.
-    MorphWriter(GlbBuilder& glb, const CheckedMorphs& morphs, const FlgSkinView& mesh,
+    MorphWriter(GlbBuilder& glb, std::span<const FlgMorphTarget> targets, const FlgSkinView& mesh,
                 std::span<const uint32_t> sources)
-        : glb_(glb), morphs_(morphs), mesh_(mesh), sources_(sources) {}
+        : glb_(glb), targets_(targets), mesh_(mesh), sources_(sources) {}
 
     // `,"targets":[...]` of all primitives; empty without targets.
     String add_targets();
-    // `,"weights":[...],"extras":{...}` of the mesh; empty without targets.
-    String mesh_members() const;
+    // `,"weights":[...],"extras":{...}` of the mesh, by the names of those targets; empty without targets.
+    String mesh_members(std::span<const FlgMorphTarget> named) const;
     // A sampler of an animation.
     String add_sampler(const FlgMorphAnimation& animation);
 
@@ -41,7 +41,7 @@ private:
     Vector<float> turned(const WeldedPlaces& places, const float* moves) const;
 
     GlbBuilder& glb_;
-    const CheckedMorphs& morphs_;
+    std::span<const FlgMorphTarget> targets_;
     const FlgSkinView& mesh_;
     std::span<const uint32_t> sources_;
 };

@@ -436,13 +436,12 @@ public:
         for (size_t i = 0; i < checked_.animations().size(); ++i) add_animation(i);
         for (const FlgMorphAnimation& animation : checked_.morphs().animations()) {
             if (animation.animation != FLG_NO_INDEX) continue;
-            MorphWriter writer(glb_, checked_.morphs(), skin_, {});
+            MorphWriter writer(glb_, checked_.morphs().targets(), skin_, {});
             add_item(animations_, "{\"name\":" + json_text(animation.name ? animation.name : "morph") +
-                                      ",\"channels\":[" + morph_channel(0) + "],\"samplers\":[" +
+                                      ",\"channels\":[" + morph_channels(0) + "],\"samplers\":[" +
                                       writer.add_sampler(animation) + "]}");
         }
-        const size_t levels = checked_.meshes().size() - 1,
-                     first_level_node = first_joint_node + checked_.joint_count();
+        const size_t levels = checked_.meshes().size() - 1;
         String joints, roots, nodes, level_nodes, extensions;
         Vector<String> children(checked_.joint_count());
         for (size_t j = 0; j < checked_.joint_count(); ++j) {
@@ -451,7 +450,7 @@ public:
             add_item(parent == FLG_NO_INDEX ? roots : children[parent], number(first_joint_node + j));
         }
         const String name = checked_.name();
-        for (size_t i = 0; i < levels; ++i) add_item(level_nodes, number(first_level_node + i));
+        for (size_t i = 0; i < levels; ++i) add_item(level_nodes, number(first_level_node() + i));
         add_item(nodes, "{\"name\":" + json_text(levels == 0 ? name : name + "_LOD0") + ",\"mesh\":0,\"skin\":0" +
                             (levels == 0 ? "" : ",\"extensions\":{\"MSFT_lod\":{\"ids\":[" + level_nodes + "]}}") +
                             "}");
@@ -477,20 +476,30 @@ public:
 private:
     void add_mesh(const FlgSkinView& mesh) {
         const TexturedVertices vertices(mesh);
-        const bool is_skin = &mesh == &checked_.meshes()[0];
+        const auto level = static_cast<size_t>(&mesh - checked_.meshes().data());
+        const bool is_skin = level == 0;
         const String attributes = add_vertices(mesh, vertices, is_skin ? checked_.vertex_colors() : nullptr);
-        MorphWriter morphs(glb_, checked_.morphs(), mesh, vertices.sources);
-        add_primitives(mesh, vertices, attributes, is_skin ? morphs.add_targets() : "");
-        const String members = is_skin ? morphs.mesh_members() : "";
+        MorphWriter morphs(glb_, checked_.morphs().targets(level), mesh, vertices.sources);
+        add_primitives(mesh, vertices, attributes, morphs.add_targets());
+        const String members = morphs.mesh_members(checked_.morphs().targets());
         if (checked_.meshes().size() > 1)
             glb_.end_mesh(members);
         else if (!members.empty())
             glb_.end_mesh(",\"name\":" + json_text(checked_.name()) + members);
     }
 
-    // Of the node that shows the skin.
-    static String morph_channel(size_t sampler) {
-        return "{\"sampler\":" + number(sampler) + ",\"target\":{\"node\":0,\"path\":\"weights\"}}";
+    size_t first_level_node() const { return first_joint_node + checked_.joint_count(); }
+
+    // Of the nodes that show the skin and its levels with shapes.
+    String morph_channels(size_t sampler) const {
+        String channels;
+        for (size_t level = 0; level < checked_.meshes().size(); ++level) {
+            if (checked_.morphs().targets(level).empty()) continue;
+            const size_t node = level == 0 ? 0 : first_level_node() + level - 1;
+            add_item(channels, "{\"sampler\":" + number(sampler) + ",\"target\":{\"node\":" + number(node) +
+                                   ",\"path\":\"weights\"}}");
+        }
+        return channels;
     }
 
     String add_vertices(const FlgSkinView& mesh, const TexturedVertices& vertices, const float* colors) {
@@ -654,8 +663,8 @@ private:
         }
         for (const FlgMorphAnimation& morph : checked_.morphs().animations()) {
             if (morph.animation != index) continue;
-            add_item(samplers, MorphWriter(glb_, checked_.morphs(), skin_, {}).add_sampler(morph));
-            add_item(channels, morph_channel(sampler_count));
+            add_item(samplers, MorphWriter(glb_, checked_.morphs().targets(), skin_, {}).add_sampler(morph));
+            add_item(channels, morph_channels(sampler_count));
         }
         const String name = animation.name ? animation.name : "animation";
         add_item(animations_,

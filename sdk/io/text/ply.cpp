@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Source: Turk, The PLY Polygon File Format (1994), with the sized type names that later writers use; strips as in the
 // models of the Stanford 3D Scanning Repository: one list of vertices, where -1 begins a new strip, every other
-// triangle turns the other way, and triangles that name a vertex twice only lead on.
+// triangle turns the other way, and triangles that name a vertex twice only lead on. Texture coordinates as in files of
+// Blender (s t of vertices), PCL (u v, texture_u texture_v) and MeshLab (lists `texcoord` of faces, with comments
+// `TextureFile` and numbers `texnumber` of these).
 //
 // Written: columns are float properties of the vertices, in the view's order; labels are uint properties of the faces,
 // behind the list that all readers look for.
@@ -17,6 +19,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 
@@ -24,6 +27,7 @@
 #include "io/base/column_names.h"
 #include "io/base/failure.h"
 #include "io/base/limits.h"
+#include "io/text/mtl.h"
 #include "io/text/text_lines.h"
 
 namespace flg::io {
@@ -65,6 +69,7 @@ enum class PlyEncoding : uint8_t { ascii, little_endian, big_endian };
 struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::ascii;
     Vector<PlyElement> elements;
+    Vector<String> pictures;  // files
 
     // Null if there is none.
     const PlyElement* find(std::string_view element) const;
@@ -118,8 +123,16 @@ private:
             if (!lines_.next(line)) fail(FLG_ERROR_FORMAT, place(), "ends within the header: no end_header");
             cursor_ = LineCursor(line, lines_.number());
             keyword_ = cursor_.word();
+            if (keyword_ == "comment") read_comment();
         } while (keyword_.empty() || keyword_ == "comment" || keyword_ == "obj_info");
         return keyword_;
+    }
+
+    void read_comment() {
+        if (cursor_.word() != "TextureFile" || !cursor_.more()) return;
+        if (header_.pictures.size() == max_entries)
+            fail(FLG_ERROR_LIMIT, place(), "more than %zu textures", max_entries);
+        header_.pictures.emplace_back(cursor_.rest());
     }
 
     void read_format() {
@@ -308,6 +321,14 @@ private:
     ByteReader reader_;
 };
 
+// By what names vertices have texture coordinates.
+constexpr std::array<std::array<std::string_view, 2>, 3> uv_names = {
+    {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
+
+bool is_uv_list(const PlyProperty& property) {
+    return property.is_list() && !is_integer(property.type) && property.name == "texcoord";
+}
+
 // Where the value of a vertex's property goes.
 struct VertexTarget {
     float* values = nullptr;  // null: nowhere
@@ -335,8 +356,8 @@ float largest_integer(PlyType type) {
 template <class Rows>
 class PlyReader {
 public:
-    PlyReader(const PlyHeader& header, Rows rows, const Origin& origin)
-        : header_(header), rows_(std::move(rows)), origin_(origin) {}
+    PlyReader(const PlyHeader& header, Rows rows, const Path& path, const Origin& origin)
+        : header_(header), rows_(std::move(rows)), pictures_(path), origin_(origin) {}
 
     MeshData read() {
         data_.format = "ply";
@@ -356,6 +377,9 @@ public:
         }
         if (data_.triangles.empty()) fail(FLG_ERROR_FORMAT, rows_.place(), "the file holds no faces");
         pad_labels();
+        place_uvs();
+        find_materials();
+        data_.warn(lost_uvs_, "face", "with a list texcoord that has not two values a corner: left out");
         return std::move(data_);
     }
 
@@ -422,6 +446,8 @@ private:
                 return {data_.positions.data() + k, 3, 1, static_cast<int>(k)};
             }
         }
+        for (uint32_t k = 0; k < 2 && uv_names_; ++k)
+            if (property.name == (*uv_names_)[k]) return {vertex_uvs_.data() + k, 2, 1, -1};
         for (VertexColumn& column : data_.columns) {
             for (uint32_t k = 0; k < column.components; ++k) {
                 if (property.name != column_name(column.attribute, column.components, k)) continue;
@@ -442,13 +468,16 @@ private:
         if (element.count == 0) return;  // there is no place for a value
         data_.positions.resize(3 * element.count);
         for (VertexColumn& column : data_.columns) column.values.resize(column.components * element.count, 1.0f);
+        const auto is_number = [&](std::string_view name) {
+            const PlyProperty* property = element.find(name);
+            return property && !property->is_list();
+        };
+        for (const auto& both : uv_names)
+            if (!uv_names_ && is_number(both[0]) && is_number(both[1])) uv_names_ = both;
+        if (uv_names_) vertex_uvs_.resize(2 * element.count);
         Vector<VertexTarget> targets;
         targets.reserve(element.properties.size());
         for (const PlyProperty& property : element.properties) targets.push_back(target(property));
-        constexpr std::string_view uvs[] = {"s", "u", "texture_u"};
-        for (const PlyProperty& property : element.properties)
-            if (std::find(std::begin(uvs), std::end(uvs), property.name) != std::end(uvs))
-                data_.warnings.push_back("texture coordinates of .ply files are left out");
         for (uint64_t row = 0; row < element.count; ++row) {
             rows_.begin_row(element);
             for (size_t i = 0; i < targets.size(); ++i) {
@@ -481,14 +510,18 @@ private:
 
     void read_faces(const PlyElement& element) {
         // What each property is: the corners, a column of labels, or nothing.
-        constexpr size_t nothing = SIZE_MAX, corners = SIZE_MAX - 1, region = SIZE_MAX - 2;
+        constexpr size_t nothing = SIZE_MAX, corners = SIZE_MAX - 1, region = SIZE_MAX - 2, uvs = SIZE_MAX - 3;
         Vector<size_t> roles;
+        // Numbers of textures are regions where these have no labels.
+        numbers_textures_ = !header_.pictures.empty() && !element.find("region");
         for (const PlyProperty& property : element.properties) {
             size_t role = nothing;
             if (is_index_list(property)) {
                 role = corners;
+            } else if (is_uv_list(property)) {
+                role = uvs;
             } else if (!property.is_list() && is_integer(property.type)) {
-                if (property.name == "region") {
+                if (property.name == "region" || (numbers_textures_ && property.name == "texnumber")) {
                     role = region;
                 } else if (data_.face_columns.size() < max_face_columns) {
                     role = data_.face_columns.size();
@@ -507,10 +540,13 @@ private:
         uint32_t label = 0;
         for (uint64_t row = 0; row < element.count; ++row) {
             rows_.begin_row(element);
+            uvs_.clear();
             for (size_t i = 0; i < roles.size(); ++i) {
                 const PlyProperty& property = element.properties[i];
                 if (roles[i] == corners)
                     read_corners(property);
+                else if (roles[i] == uvs)
+                    read_uvs(property);
                 else if (roles[i] == nothing)
                     skip(property);
                 else
@@ -519,6 +555,7 @@ private:
             }
             rows_.end_row();
             data_.add_polygon(corners_);
+            add_uvs(row);
             if (has_regions_) data_.regions.resize(data_.triangle_count(), label);
             for (size_t i = 0; i < labels.size(); ++i) {
                 data_.face_columns[i].values.resize(data_.triangle_count(), labels[i]);
@@ -534,6 +571,59 @@ private:
         }
         corners_.clear();
         for (uint64_t k = 0; k < count; ++k) corners_.push_back(read_index(property));
+    }
+
+    void read_uvs(const PlyProperty& property) {
+        const uint64_t count = read_list_size(property);
+        for (uint64_t k = 0; k < count; ++k) uvs_.push_back(rows_.number(property.type, property.name.c_str()));
+    }
+
+    // Of the face that was added last.
+    void add_uvs(uint64_t face) {
+        if (uvs_.empty()) return;
+        if (uvs_.size() != 2 * corners_.size()) return lost_uvs_.add(face);
+        data_.corner_uvs.resize(6 * (data_.triangle_count() + 2 - corners_.size()));
+        const auto add = [&](size_t corner) {
+            data_.corner_uvs.insert(data_.corner_uvs.end(), {uvs_[2 * corner], 1 - uvs_[2 * corner + 1]});
+        };
+        for (size_t k = 2; k < corners_.size(); ++k) {
+            add(0);
+            add(k - 1);
+            add(k);
+        }
+    }
+
+    // Those of corners count, else those of vertices. Vertices may stand behind the faces.
+    void place_uvs() {
+        if (!data_.corner_uvs.empty()) return data_.corner_uvs.resize(6 * data_.triangle_count());
+        if (vertex_uvs_.empty()) return;
+        data_.corner_uvs.reserve(6 * data_.triangle_count());
+        for (const uint32_t v : data_.triangles)
+            data_.corner_uvs.insert(data_.corner_uvs.end(),
+                                    {vertex_uvs_[2 * size_t{v}], 1 - vertex_uvs_[2 * size_t{v} + 1]});
+    }
+
+    // A material for each texture, and one without for faces that have none of these.
+    void find_materials() {
+        if (header_.pictures.empty()) return;
+        if (data_.corner_uvs.empty()) {
+            data_.warnings.push_back("textures without texture coordinates: left out");
+            return;
+        }
+        if (has_regions_ && !numbers_textures_) {
+            data_.warnings.push_back("textures beside regions: left out");
+            return;
+        }
+        const auto count = static_cast<uint32_t>(header_.pictures.size());
+        if (!has_regions_ && count > 1)
+            data_.warnings.push_back("textures but the first, as faces have no texnumber: left out");
+        uint32_t highest = 0;
+        for (uint32_t& region : data_.regions) highest = std::max(highest, region = std::min(region, count));
+        for (uint32_t i = 0; i <= highest; ++i) {
+            MaterialData& material = data_.materials.emplace_back(pictures_.find(""));
+            if (i < count) material.texture = pictures_.texture_of(header_.pictures[i]);
+        }
+        data_.textures = pictures_.take(data_.warnings);
     }
 
     void read_strips(const PlyElement& element) {
@@ -581,16 +671,20 @@ private:
 
     const PlyHeader& header_;
     Rows rows_;
+    MtlLibrary pictures_;
     const Origin origin_;
     MeshData data_;
     uint64_t vertex_count_ = 0;
-    bool has_regions_ = false;
+    bool has_regions_ = false, numbers_textures_ = false;
     Vector<uint32_t> corners_;
+    std::optional<std::array<std::string_view, 2>> uv_names_;  // of vertices
+    Vector<float> vertex_uvs_, uvs_;                           // of vertices; of a face's corners
+    Tally lost_uvs_;
 };
 
 template <class Rows>
-MeshData read_rows(const PlyHeader& header, Rows rows, const Origin& origin) {
-    PlyReader<Rows> reader(header, std::move(rows), origin);
+MeshData read_rows(const PlyHeader& header, Rows rows, const Path& path, const Origin& origin) {
+    PlyReader<Rows> reader(header, std::move(rows), path, origin);
     MeshData data = reader.read();
     if (const uint64_t left = reader.rows().left(); left != 0) {
         data.warnings.push_back(to_text(left) + " bytes after the last row, left out");
@@ -600,14 +694,15 @@ MeshData read_rows(const PlyHeader& header, Rows rows, const Origin& origin) {
 
 }  // namespace
 
-MeshData read_ply(Bytes file, const Origin& origin) {
+MeshData read_ply(Bytes file, const Path& path, const Origin& origin) {
     TextLines lines(as_text(file));
     const PlyHeader header = read_ply_header(lines);
     const size_t body = file.size() - lines.rest().size();
     switch (header.encoding) {
-        case PlyEncoding::ascii: return read_rows(header, PlyTextRows(lines), origin);
-        case PlyEncoding::little_endian: return read_rows(header, PlyByteRows<std::endian::little>(file, body), origin);
-        default: return read_rows(header, PlyByteRows<std::endian::big>(file, body), origin);
+        case PlyEncoding::ascii: return read_rows(header, PlyTextRows(lines), path, origin);
+        case PlyEncoding::little_endian:
+            return read_rows(header, PlyByteRows<std::endian::little>(file, body), path, origin);
+        default: return read_rows(header, PlyByteRows<std::endian::big>(file, body), path, origin);
     }
 }
 

@@ -10,7 +10,8 @@
 
 namespace flg::io {
 
-MeshData read_ply(Bytes file, const Origin& origin);
+// `path`: where the file is from; textures lie beside it.
+MeshData read_ply(Bytes file, const Path& path, const Origin& origin);
 
 String write_ply(const CheckedMesh& mesh);
 

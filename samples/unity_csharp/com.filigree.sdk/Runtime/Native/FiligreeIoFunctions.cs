@@ -29,7 +29,9 @@
 //   .ply          reads ascii and binary, writes little-endian binary. Vertices: positions, colours (0 to 1 if they are
 //                 integers), normals and the columns this library writes, by the names below. Faces: the list
 //                 vertex_indices, and integer properties, of which `region` becomes the view's regions; or `tristrips`.
-//                 Other elements and properties are skipped, texture coordinates with a warning
+//                 Reads texture coordinates: `s t`, `u v` or `texture_u texture_v` of vertices, lists `texcoord` of
+//                 faces, with the textures of comments `TextureFile` below the file's folder, by `texnumber`. Other
+//                 elements and properties are skipped
 //   .obj          faces (`f`) and positions with colours (`v x y z r g b`). Regions are materials (`usemtl`), numbered
 //                 from 0 in order of first use, and written as such. Texture coordinates (`vt`) are read, and materials
 //                 of `mtllib` files below the file's folder: Kd, map_Kd, Pr, Pm. Normals are skipped
@@ -158,10 +160,10 @@ namespace Filigree
         public static extern FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint struct_size);
 
         /// <summary>
-        /// The material of a region in a .gltf or .glb file, or of one in an .obj file's `mtllib`, 0 to the info's
-        /// material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files
-        /// metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until the file is
-        /// released.
+        /// The material of a region in a .gltf or .glb file, in an .obj file's `mtllib`, of a .ply file's textures, 0
+        /// to the info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in
+        /// .obj files metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until
+        /// the file is released.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetMaterial(
@@ -285,13 +287,13 @@ namespace Filigree
         /// POSITION, NORMAL, JOINTS_0 (16 bits), WEIGHTS_0 (float), _PART, with corner_uvs TEXCOORD_0, with
         /// vertex_colors COLOR_0. They keep their order; of those whose corners differ in texture coordinates, copies
         /// follow after all. Morph targets have POSITION and NORMAL, sparse where few vertices move; their weights are
-        /// animated at the mesh's node. Levels of detail are meshes of the same skin, named NAME_LOD0, NAME_LOD1, ...;
-        /// the first is in the scene and refers to the others by MSFT_lod, so programs that do not know it show the
-        /// finest alone. Rotations that stay at identity are omitted. Refuses what glTF forbids: joints out of range or
-        /// twice at a vertex, weights that do not sum to 1 within 0.0001, quaternions that are not of length 1 within
-        /// 0.001, times that do not rise, values that are not finite, parents that do not come first. Cost: about 0.8
-        /// us a vertex. Errors: FlgResult.ErrorInvalidArgument, FlgResult.ErrorFormat for another extension,
-        /// FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
+        /// animated at the mesh's node, and at those of levels that have them. Levels of detail are meshes of the same
+        /// skin, named NAME_LOD0, NAME_LOD1, ...; the first is in the scene and refers to the others by MSFT_lod, so
+        /// programs that do not know it show the finest alone. Rotations that stay at identity are omitted. Refuses
+        /// what glTF forbids: joints out of range or twice at a vertex, weights that do not sum to 1 within 0.0001,
+        /// quaternions that are not of length 1 within 0.001, times that do not rise, values that are not finite,
+        /// parents that do not come first. Cost: about 0.8 us a vertex. Errors: FlgResult.ErrorInvalidArgument,
+        /// FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileWrite(byte* path, FlgSkinFileWriteDesc* desc);

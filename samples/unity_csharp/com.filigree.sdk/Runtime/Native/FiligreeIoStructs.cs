@@ -449,7 +449,7 @@ namespace Filigree
         /// Default null
         /// </summary>
         public float* vertex_colors;
-        /// <summary>shapes of the skin; levels of detail have none. Default null</summary>
+        /// <summary>shapes of the skin. Default null</summary>
         public FlgMorphTarget* morphs;
         /// <summary>default null</summary>
         public FlgMorphAnimation* morph_animations;
@@ -457,6 +457,11 @@ namespace Filigree
         public uint morph_count;
         /// <summary>default 0</summary>
         public uint morph_animation_count;
+        /// <summary>
+        /// the same shapes of the levels of detail: morph_count of each, level by level; their names are not read.
+        /// Null: levels have none. Default null
+        /// </summary>
+        public FlgMorphTarget* level_morphs;
     }
 
     public unsafe partial struct FlgMotionFileWriteDesc

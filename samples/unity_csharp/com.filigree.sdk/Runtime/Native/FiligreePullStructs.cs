@@ -31,6 +31,12 @@ namespace Filigree
         /// exactly. Finite, 0 or above. Default 0
         /// </summary>
         public float compliance;
+        /// <summary>
+        /// metres, at rest: it pulls at the surface within this of its point, hardest in the middle, so that no spike
+        /// is pulled out. At most half way to the next handle. 0: at the point alone. Below 0: 0.04 of the mesh's
+        /// diagonal, at least two edges. Finite. Default -1
+        /// </summary>
+        public float radius;
     }
 
     public unsafe partial struct FlgPulledDesc
