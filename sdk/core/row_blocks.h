@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rows of equal width that together are too large for one piece of memory: it would take milliseconds to give back.
-// They lie in blocks of some 64 KiB, each taken when one of its rows is made. Within a block rows follow each other.
+// They lie in blocks of 64 KiB, each taken when one of its rows is made; in larger ones where there would be more than
+// 64, so that all together are given back within a slice. Within a block rows follow each other.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ public:
     RowBlocks() = default;
     RowBlocks(size_t rows, size_t width, Memory* memory)
         : width_(width),
-          shift_(shift_of(width)),
+          shift_(shift_of(rows, width)),
           rows_(rows),
           memory_(memory),
           blocks_(width == 0 ? 0 : (rows + (size_t{1} << shift_) - 1) >> shift_, memory) {
@@ -47,9 +48,11 @@ public:
 
 private:
     static constexpr size_t block_size = size_t{64} << 10, alignment = 64;
-    static uint32_t shift_of(size_t width) {
-        const size_t rows = block_size / sizeof(T) / std::max<size_t>(width, 1);
-        return static_cast<uint32_t>(std::bit_width(std::max<size_t>(rows, 1)) - 1);
+    static constexpr size_t most_blocks = 64;
+    static uint32_t shift_of(size_t rows, size_t width) {
+        const size_t in_small = block_size / sizeof(T) / std::max<size_t>(width, 1);
+        const size_t in_block = std::max({in_small, 2 * rows / most_blocks, size_t{1}});
+        return static_cast<uint32_t>(std::bit_width(in_block)) - 1;
     }
     size_t mask() const { return (size_t{1} << shift_) - 1; }
     size_t bytes(size_t block) const {
