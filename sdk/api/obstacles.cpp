@@ -35,6 +35,13 @@ std::shared_ptr<const Obstacle> make_box(Memory* memory, const FlgObstacle& in, 
     return make_object<BoxObstacle>(memory, dimension, in.centre, in.half, axes);
 }
 
+std::shared_ptr<const Obstacle> make_polygon(Memory* memory, const FlgObstacle& in, uint32_t dimension) {
+    require(in.points, "points");
+    const std::span<const double> points(in.points, size_t{2} * in.point_count);
+    if (dimension == 2) return make_object<PolygonObstacle>(memory, points, memory);
+    return make_object<PrismObstacle>(memory, PolygonObstacle(points, memory), in.centre, in.axes, in.half[2]);
+}
+
 // Of a host's function: bounded by its box, and as exact and as deep as the header asks.
 std::shared_ptr<const Obstacle> make_function(Memory* memory, const FlgObstacle& in, uint32_t dimension) {
     if (!in.value) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "value is null");
@@ -52,21 +59,17 @@ std::shared_ptr<const Obstacle> make_function(Memory* memory, const FlgObstacle&
 }
 
 std::shared_ptr<const Obstacle> make_obstacle(Memory* memory, const FlgObstacle& in, uint32_t dimension) {
-    check_enum(in.kind, FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_BORDER, "kind", "FLG_OBSTACLE_");
+    check_enum(in.kind, FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_HALF_SPACE, "kind", "FLG_OBSTACLE_");
     switch (in.kind) {
         case FLG_OBSTACLE_KIND_BALL: return make_object<BallObstacle>(memory, dimension, in.centre, in.radius);
         case FLG_OBSTACLE_KIND_BOX: return make_box(memory, in, dimension);
         case FLG_OBSTACLE_KIND_CAPSULE:
             return make_object<CapsuleObstacle>(memory, dimension, in.centre, in.to, in.radius);
+        case FLG_OBSTACLE_KIND_POLYGON: return make_polygon(memory, in, dimension);
         case FLG_OBSTACLE_KIND_FUNCTION: return make_function(memory, in, dimension);
-        default: break;
+        case FLG_OBSTACLE_KIND_HALF_SPACE: return make_object<HalfSpaceObstacle>(memory, dimension, in.centre, in.to);
+        default: return nullptr;
     }
-    if (in.kind >= FLG_OBSTACLE_KIND_MESH) return nullptr;
-    if (dimension != 2)
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "kind is FLG_OBSTACLE_KIND_POLYGON, which is for the plane, dimension 2");
-    require(in.points, "points");
-    return make_object<PolygonObstacle>(memory, std::span<const double>(in.points, size_t{2} * in.point_count), memory);
 }
 
 // What the job makes of a mesh.

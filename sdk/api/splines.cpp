@@ -6,6 +6,7 @@
 #include "api/descriptors.h"
 #include "api/inputs.h"
 #include "api/surface_inputs.h"
+#include "splines/spline_ribbon.h"
 #include "splines/surface_trace.h"
 
 namespace flg {
@@ -21,7 +22,49 @@ FlgSplineDesc default_spline_desc() {
     desc.max_rounds = 200;
     desc.tolerance = 1e-6;
     desc.obstacle_radius = 1e-3;
+    desc.max_evaluations = 150000;
     return desc;
+}
+
+FlgSplineRibbonDesc default_ribbon_desc() {
+    auto desc = sized<FlgSplineRibbonDesc>();
+    desc.columns = 4;
+    desc.width = 1;
+    return desc;
+}
+
+RibbonShape read_ribbon(const FlgSplineRibbonDesc& desc, const ManifoldProduct& manifold) {
+    RibbonShape shape;
+    check_range(desc.columns >= 1 && desc.columns <= 256, "desc.columns", desc.columns, "1 to 256");
+    check_range(desc.width > 0 && desc.width <= 1e30, "desc.width", desc.width, "above 0, at most 1e30");
+    check_range(desc.spacing >= 0 && desc.spacing <= 1e30, "desc.spacing", desc.spacing, "0 to 1e30");
+    check_range(std::abs(desc.height) <= 1e30, "desc.height", desc.height, "finite and at most 1e30 in size");
+    check_range(std::abs(desc.bank) <= 1e30, "desc.bank", desc.bank, "finite and at most 1e30 in size");
+    check_range(desc.texture_length >= 0 && desc.texture_length <= 1e30, "desc.texture_length", desc.texture_length,
+                "0 to 1e30");
+    check_range(desc.reserved == 0, "desc.reserved", desc.reserved, "0");
+    for (int c = 0; c < 3; ++c) {
+        check_range(std::abs(desc.up[c]) <= 1e30, "desc.up", desc.up[c], "finite and at most 1e30 in size");
+        shape.up[c] = desc.up[c];
+    }
+    if (!shape.up.isZero(0)) shape.up.normalize();
+    shape.columns = desc.columns;
+    shape.width = desc.width;
+    shape.spacing = desc.spacing;
+    shape.height = desc.height;
+    shape.bank = desc.bank;
+    shape.texture_length = desc.texture_length;
+    shape.conforms = desc.conforms != 0;
+    check_range(manifold.given_ambient == 3, "the number of coordinates of desc.spline", manifold.given_ambient, "3");
+    if (shape.conforms && !manifold.has_triangles())
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.conforms: desc.spline is not on the manifold of a mesh");
+    if (shape.conforms && (shape.bank != 0 || !shape.up.isZero(0)))
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.%s can't be given together with desc.conforms",
+                      shape.bank != 0 ? "bank" : "up");
+    if (!shape.conforms && shape.up.isZero(0) && !manifold.has_normals())
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.up is 0, which is for splines on a surface in R^3, as it has normals");
+    return shape;
 }
 
 Buffer<double> read_numbers(const double* from, size_t count, const char* argument, Memory* memory) {
@@ -245,7 +288,9 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         read_parameters(read, request.problem, memory);
         read_handles(read, ambient, request, memory);
         read_local(read, request.problem, memory);
-        check_range(read.reserved == 0, "desc.reserved", read.reserved, "0");
+        if (read.seek_lower != 0 && (read.curve || read.obstacles.id != 0))
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.seek_lower can't be given together with desc.%s",
+                          read.curve ? "curve" : "obstacles");
         check_range(read.key_tolerance >= 0 && read.key_tolerance <= 1e30, "desc.key_tolerance", read.key_tolerance,
                     "0 to 1e30");
         read_obstacles(self, read, *manifold, request, submission);
@@ -314,6 +359,7 @@ FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, F
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
         const FlgSplineSampleDesc read = read_struct(desc, sized<FlgSplineSampleDesc>(), "desc");
         check_range(is_coordinate(read.height), "desc.height", read.height, "finite and at most 1e30 in size");
+        check_range(read.spacing >= 0 && read.spacing <= 1e30, "desc.spacing", read.spacing, "0 to 1e30");
         Submission submission(self, read.job);
         const auto spline = self.splines.get(read.spline.id, "desc.spline");
         submission.read(*spline, "desc.spline");
@@ -321,8 +367,30 @@ FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, F
                     spline->manifold->given_ambient, "3");
         const auto out = self.make(self.curve_sets);
         out->origin = spline->origin;
-        submission.job().strand.start(spline_curves(submission.pace(), spline, read.height, out));
+        submission.job().strand.start(spline_curves(submission.pace(), spline, read.height, read.spacing, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
+    });
+}
+
+FlgResult flgSplineRibbonDescInit(FlgSplineRibbonDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_ribbon_desc());
+}
+
+FlgResult flgSplineRibbon(FlgContext context, const FlgSplineRibbonDesc* desc, FlgSurface* out_surface,
+                          FlgJob* out_job) {
+    return guarded([&] {
+        Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
+        const FlgSplineRibbonDesc read = read_struct(desc, default_ribbon_desc(), "desc");
+        Submission submission(self, read.job);
+        const auto spline = self.splines.get(read.spline.id, "desc.spline");
+        submission.read(*spline, "desc.spline");
+        const RibbonShape shape = read_ribbon(read, *spline->manifold);
+        if (shape.conforms) submission.read_surface(spline->manifold->surface, "the surface of desc.spline");
+        const auto out = make_object<Surface>(memory, memory, self.memory[MemoryKind::caches]);
+        out->origin = spline->origin;
+        submission.job().strand.start(make_ribbon(submission.pace(), spline, shape, out));
+        *out_surface = {submission.commit(self.surfaces, out, out_job)};
     });
 }
 

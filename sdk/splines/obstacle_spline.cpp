@@ -243,10 +243,28 @@ Task<void> lift_chain(Pace& pace, const Barrier& barrier, const Chain& chain, Sp
     });
 }
 
+// How often nodes may still be put onto the manifold.
+class Evaluations {
+public:
+    explicit Evaluations(uint64_t most) : most_(most > 0 ? most : UINT64_MAX), left_(most_) {}
+
+    bool are_spent() const { return left_ == 0; }
+    bool are_half_spent() const { return left_ < most_ / 2; }
+    uint32_t of_curves(uint32_t nodes) const {
+        return static_cast<uint32_t>(std::clamp<uint64_t>(left_ / nodes, 1, UINT32_MAX));
+    }
+    void spend(uint64_t count) { left_ -= std::min(count, left_); }
+
+private:
+    uint64_t most_, left_;
+};
+
 // The chain goes to where its energy is least on the barrier. Given points stay, to the bit.
-Task<void> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& optimizer, Spline& out, Chain& chain) {
+Task<void> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& optimizer, Spline& out, Chain& chain,
+                       Evaluations& evaluations) {
     const uint32_t d = barrier.manifold().ambient() - 1;
     co_await run_optimizer(pace, optimizer, out);
+    evaluations.spend(uint64_t{optimizer.report().projections + 1} * optimizer.nodes());
     size_t knot = 0;
     co_await each(pace, optimizer.nodes(), Cost::some_ns, [&](uint32_t i) {
         if (knot < chain.knots.size() && chain.knots[knot] == i) {
@@ -261,6 +279,8 @@ Task<void> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& opti
 Task<void> keep_chain(Pace& pace, SplineOptimizer& optimizer, const Chain& chain, Spline& out) {
     co_await keep_spline(pace, optimizer, out);
     const size_t n = optimizer.ambient(), d = n - 1;
+    out.knots = Buffer<uint32_t>(chain.knots.size(), pace.memory());
+    co_await each(pace, chain.knots.size(), Cost::some_ns, [&](uint32_t k) { out.knots[k] = chain.knots[k]; });
     co_await each(pace, chain.knots.size(), Cost::some_ns, [&](uint32_t k) {
         const size_t node = chain.knots[k];
         std::copy_n(&chain.points[node * d], d, &out.points[node * n]);
@@ -294,13 +314,25 @@ Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& op
     co_await find_trespasses(pace, set, pieces, out);
 }
 
-[[noreturn]] void refuse(const std::pmr::vector<Trespass>& trespasses, const Chain& chain, uint32_t d) {
+// evaluations: that were used up; 0: they were not.
+[[noreturn]] void refuse(const std::pmr::vector<Trespass>& trespasses, const Chain& chain, uint32_t d,
+                         uint64_t evaluations) {
+    const auto used = static_cast<unsigned long long>(evaluations);
+    if (trespasses.empty())
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.max_evaluations, %llu, were used up before there was a curve to look at", used);
     const Trespass worst = *std::max_element(trespasses.begin(), trespasses.end(),
                                              [](const Trespass& a, const Trespass& b) { return a.depth < b.depth; });
     const double* const at = &chain.points[size_t{worst.interval} * d];
+    const double z = d > 2 ? at[2] : 0;
+    if (evaluations > 0)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.max_evaluations, %llu, were used up before the curve kept clear of obstacle %u near (%g, "
+                      "%g, %g), where it was %g nearer than it may be",
+                      used, worst.obstacle, at[0], at[1], z, worst.depth);
     throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                   "the curve can't keep clear of obstacle %u near (%g, %g, %g): it is %g nearer than it may be there",
-                  worst.obstacle, at[0], at[1], d > 2 ? at[2] : 0, worst.depth);
+                  worst.obstacle, at[0], at[1], z, worst.depth);
 }
 
 // Metres.
@@ -332,41 +364,70 @@ Task<Leave> leave_of(Pace& pace, const ObstacleSet& set, const Chain& chain, con
     co_return out;
 }
 
-// On barriers whose radius shrinks to the last one.
-Task<void> descend(Pace& pace, const Margins& scene, Barrier& barrier, SplineProblem& problem, Spline& out,
-                   Chain& chain) {
-    const double tolerance = problem.tolerance;
-    problem.tolerance = rough;
-    for (double radius = barrier.first_radius(); radius > scene.last_radius;
-         radius = std::max(radius * shrink, scene.last_radius)) {
-        barrier.set_radius(radius);
-        co_await lift_chain(pace, barrier, chain, problem);
-        SplineOptimizer optimizer(problem, pace.memory());
-        co_await minimize_on(pace, barrier, optimizer, out, chain);
-    }
-    barrier.set_radius(scene.last_radius);
-    problem.tolerance = tolerance;
+// What is sought, and among what.
+struct Search {
+    const ObstacleSet& set;
+    ObstacleSet& wider;  // by the nodes' margin
+    Margins scene;
+    SplineProblem& problem;
+    Spline& out;
+    Chain& chain;
+    Evaluations& evaluations;
+    std::pmr::vector<Trespass> trespasses;  // of what was looked at last
+    bool has_result = false;
+};
+
+// Minimizes on the barrier, as it is.
+Task<void> minimize(Pace& pace, Search& s, const Barrier& barrier, std::optional<SplineOptimizer>& optimizer) {
+    co_await lift_chain(pace, barrier, s.chain, s.problem);
+    s.problem.max_projections = s.evaluations.of_curves(static_cast<uint32_t>(s.chain.shares.size()) + 1);
+    optimizer.emplace(s.problem, pace.memory());
+    co_await minimize_on(pace, barrier, *optimizer, s.out, s.chain, s.evaluations);
 }
 
-// On the last barrier, until all of the curve is clear: with more nodes where it is not, which then keep farther away.
-// Leaves what trespasses in the end.
-Task<void> settle(Pace& pace, const ObstacleSet& set, const Margins& scene, ObstacleSet& wider, const Barrier& barrier,
-                  SplineProblem& problem, Spline& out, Chain& chain, std::pmr::vector<Trespass>& trespasses) {
-    const uint32_t d = set.dimension();
-    double margin = scene.margin;
-    for (uint32_t pass = 0;; ++pass) {
-        co_await lift_chain(pace, barrier, chain, problem);
-        SplineOptimizer optimizer(problem, pace.memory());
-        co_await minimize_on(pace, barrier, optimizer, out, chain);
-        const Leave leave = co_await leave_of(pace, set, chain, scene, problem.closed);
-        trespasses.clear();
-        co_await examine(pace, set, optimizer, problem, chain, leave, trespasses);
-        if (trespasses.empty()) co_return co_await keep_chain(pace, optimizer, chain, out);
-        if (pass + 1 == max_passes || chain.points.size() / d > FLG_SPLINE_MAX_NODES / 4) co_return;
-        co_await refine(pace, trespasses, d, problem.closed, margin, chain);
-        margin = std::min(1.5 * margin, max_margin * scene.margin);
-        wider.set_clearance(set.clearance() + margin);
+// Whether all of it is clear: then it is a result, until there is a better one.
+Task<bool> accept(Pace& pace, Search& s, SplineOptimizer& optimizer) {
+    const Leave leave = co_await leave_of(pace, s.set, s.chain, s.scene, s.problem.closed);
+    s.trespasses.clear();
+    co_await examine(pace, s.set, optimizer, s.problem, s.chain, leave, s.trespasses);
+    if (!s.trespasses.empty()) co_return false;
+    co_await keep_chain(pace, optimizer, s.chain, s.out);
+    s.has_result = true;
+    co_return true;
+}
+
+// On barriers whose radius shrinks to the last one.
+Task<void> descend(Pace& pace, Search& s, Barrier& barrier) {
+    const double tolerance = s.problem.tolerance;
+    s.problem.tolerance = rough;
+    for (double radius = barrier.first_radius(); radius > s.scene.last_radius && !s.evaluations.are_spent();
+         radius = std::max(radius * shrink, s.scene.last_radius)) {
+        barrier.set_radius(radius);
+        std::optional<SplineOptimizer> optimizer;
+        co_await minimize(pace, s, barrier, optimizer);
+        if (s.evaluations.are_half_spent()) co_await accept(pace, s, *optimizer);
     }
+    barrier.set_radius(s.scene.last_radius);
+    s.problem.tolerance = tolerance;
+}
+
+// On the last barrier, until all of the curve is clear: with more nodes where it is not, which then keep farther away,
+// from what the solids are exactly. False if it is not clear in the end.
+Task<bool> settle(Pace& pace, Search& s, const Barrier& barrier) {
+    const uint32_t d = s.set.dimension();
+    double margin = s.scene.margin;
+    for (uint32_t pass = 0; !s.evaluations.are_spent(); ++pass) {
+        std::optional<SplineOptimizer> optimizer;
+        co_await minimize(pace, s, barrier, optimizer);
+        const bool is_clear = co_await accept(pace, s, *optimizer);
+        if (is_clear) co_return true;
+        if (pass + 1 == max_passes || s.chain.points.size() / d > FLG_SPLINE_MAX_NODES / 4) break;
+        co_await refine(pace, s.trespasses, d, s.problem.closed, margin, s.chain);
+        s.wider.set_smooth(false);
+        margin = std::min(1.5 * margin, max_margin * s.scene.margin);
+        s.wider.set_clearance(s.set.clearance() + margin);
+    }
+    co_return false;
 }
 
 }  // namespace
@@ -399,23 +460,38 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
                                ? request.desc.node_count
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
     pace.stage("minimize");
+    Chain chain(pace.memory());
+    Evaluations evaluations(request.desc.max_evaluations);
+    Search search{.set = set,
+                  .wider = wider,
+                  .scene = scene,
+                  .problem = problem,
+                  .out = out,
+                  .chain = chain,
+                  .evaluations = evaluations,
+                  .trespasses = std::pmr::vector<Trespass>(pace.memory())};
     // From the beginning again, with more nodes, where refining did not do.
-    std::pmr::vector<Trespass> trespasses(pace.memory());
     for (uint32_t finer = 1;; finer *= 4) {
         problem.manifold = held.manifold.get();
         co_await place_nodes(pace, *problem.manifold, first, given, finer * nodes, 2, problem);
-        Chain chain(pace.memory());
+        chain = Chain(pace.memory());
         wider.set_clearance(set.clearance() + scene.margin);
+        wider.set_smooth(true);
         co_await place_around(pace, wider, first, problem, least_way * scene.margin, chain);
         Barrier barrier(held, wider, scene.size, scene.last_radius);
         problem.manifold = &barrier.manifold();
-        co_await descend(pace, scene, barrier, problem, out, chain);
-        co_await settle(pace, set, scene, wider, barrier, problem, out, chain, trespasses);
-        if (trespasses.empty()) break;
-        if (finer == max_finer || 4 * uint64_t{finer} * nodes > FLG_SPLINE_MAX_NODES / 4) refuse(trespasses, chain, d);
+        co_await descend(pace, search, barrier);
+        const bool is_clear = co_await settle(pace, search, barrier);
+        if (is_clear) break;
+        if (evaluations.are_spent()) {
+            if (!search.has_result) refuse(search.trespasses, chain, d, request.desc.max_evaluations);
+            break;
+        }
+        if (finer == max_finer || 4 * uint64_t{finer} * nodes > FLG_SPLINE_MAX_NODES / 4)
+            refuse(search.trespasses, chain, d, 0);
     }
+    out.out_of_evaluations = evaluations.are_spent();
     problem.manifold = held.manifold.get();
-    out.knots = std::move(problem.knots);
 }
 
 }  // namespace flg

@@ -10,6 +10,7 @@
 #include "splines/manifolds/coordinates.h"
 #include "splines/spline_keys.h"
 #include "splines/spline_pieces.h"
+#include "splines/spline_rows.h"
 #include "splines/surface_trace.h"
 #include "splines/triangle_curve.h"
 
@@ -21,6 +22,7 @@ constexpr double uneven = 2.5;             // steps of a chain that is dragged, 
 constexpr double coincident = 1e-7;        // of the manifold's size: points that are one
 constexpr double beyond_borders = 0.25;    // of a border edge: where the smooth surface ends
 constexpr double coarse_tolerance = 1e-3;  // of chains that are refined
+constexpr double clearly_lower = 0.95;     // of an energy: where a dragged curve may jump
 
 FlgSplineEnding ending_of(SplineEnding ending) {
     switch (ending) {
@@ -379,6 +381,48 @@ void find_own_border(SplineRequest& request) {
     request.obstacles = nullptr;
 }
 
+// What a minimization uses up of a problem.
+struct Effort {
+    double tolerance, first_tension;
+    uint32_t max_rounds;
+};
+
+// The same from a new initial curve, to be taken where it has clearly less energy than the one that went on from the
+// warm start.
+Task<void> seek_lower(Pace& pace, SplineRequest& request, Effort effort) {
+    const std::shared_ptr<Spline> out = request.out;
+    const auto other =
+        std::allocate_shared<Spline>(std::pmr::polymorphic_allocator<Spline>(pace.memory()), out->manifold);
+    other->origin = out->origin;
+    other->closed = out->closed;
+    request.out = other;
+    request.warm_start = nullptr;
+    request.problem.tolerance = effort.tolerance;
+    request.problem.first_tension = effort.first_tension;
+    request.problem.max_rounds = effort.max_rounds;
+    request.problem.points = {};
+    request.problem.hints = {};
+    request.problem.knots = {};
+    bool is_there = true;
+    try {
+        co_await make_smooth_spline(pace, request);
+    } catch (const Failure&) {
+        is_there = false;
+    }
+    request.out = out;
+    if (!is_there || !(other->chain.report.energy < clearly_lower * out->chain.report.energy)) co_return;
+    out->chain = std::move(other->chain);
+    out->points = std::move(other->points);
+    out->hints = std::move(other->hints);
+    out->given = std::move(other->given);
+    out->knots = std::move(other->knots);
+    out->held = std::move(other->held);
+    out->breaks = std::move(other->breaks);
+    out->offsets = std::move(other->offsets);
+    out->normals = std::move(other->normals);
+    out->jumped = true;
+}
+
 // What else is asked for of a curve that is there.
 Task<void> complete(Pace& pace, const SplineRequest& request) {
     Spline& out = *request.out;
@@ -413,6 +457,8 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
         co_await lay_triangle_curve(pace, request, before.get());
     }
     bool is_off = only;
+    const bool seeks = request.desc.seek_lower != 0 && request.warm_start;
+    const Effort effort{request.problem.tolerance, request.problem.first_tension, request.problem.max_rounds};
     if (!only) {
         try {
             co_await make_smooth_spline(pace, request);
@@ -421,6 +467,7 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
             is_off = true;
         }
     }
+    if (seeks && !is_off) co_await seek_lower(pace, request, effort);
     if (is_off) {
         if (!is_laid) co_await lay_triangle_curve(pace, request, before.get());
         co_await keep_triangle_curve(pace, request);
@@ -436,7 +483,10 @@ void Spline::publish_partial() noexcept {
 
 void Spline::show() noexcept {
     show_chain(chain);
-    view_.ending = chain.on_triangles ? FLG_SPLINE_ENDING_TRIANGLES : ending_of(chain.report.ending);
+    view_.ending = chain.on_triangles   ? FLG_SPLINE_ENDING_TRIANGLES
+                   : out_of_evaluations ? FLG_SPLINE_ENDING_EVALUATIONS
+                                        : ending_of(chain.report.ending);
+    view_.jumped = jumped;
     view_.normals = normals.data();
     view_.point_count = static_cast<uint32_t>(knots.size());
     view_.point_nodes = knots.data();
@@ -501,15 +551,18 @@ Task<void> check_precision(Pace& pace, const Buffer<double>& nodes) {
 
 }  // namespace
 
-Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height,
+Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height, double spacing,
                          std::shared_ptr<CurveSet> out) {
     pace.stage("copy");
     const Spline::Chain& chain = spline->chain;
-    const uint32_t nodes = static_cast<uint32_t>(chain.nodes.size() / 3);
     co_await check_precision(pace, chain.nodes);
+    std::optional<SplineRows> rows;
+    if (spacing > 0) rows.emplace(co_await rows_along(pace, *spline, spacing));
+    const uint32_t nodes = static_cast<uint32_t>(chain.nodes.size() / 3),
+                   points = rows ? static_cast<uint32_t>(rows->rows.size()) - (spline->closed ? 1 : 0) : nodes;
     out->allocate_curves(1);
     out->offsets()[0] = 0;
-    out->offsets()[1] = nodes;
+    out->offsets()[1] = points;
     out->begin_curve(0, spline->closed ? FLG_CURVE_CLOSED : 0);
     std::pmr::vector<CurveSet::ColumnLayout> layout({{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TIME, 1}},
                                                     pace.memory());
@@ -519,16 +572,15 @@ Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float
     float* const positions = out->find(FLG_ATTRIBUTE_POSITION)->values.data();
     float* const times = out->find(FLG_ATTRIBUTE_TIME)->values.data();
     float* const frames = has_normals ? out->find(FLG_ATTRIBUTE_NORMAL)->values.data() : nullptr;
-    co_await each(pace, nodes, Cost::some_ns, [&](uint32_t i) {
-        const double* const x = &chain.nodes[size_t{3} * i];
-        Vec3 place(x[0], x[1], x[2]);
+    co_await each(pace, points, Cost::some_ns, [&](uint32_t i) {
+        Vec3 place = rows ? rows->rows[i].place : Vec3(&chain.nodes[size_t{3} * i]);
         if (has_normals) {
-            const Vec3 normal = load_vec3(&spline->normals[size_t{3} * i]);
+            const Vec3 normal = rows ? rows->rows[i].normal : load_vec3(&spline->normals[size_t{3} * i]);
             place += height * normal;
             store_vec3(normal, frames + size_t{3} * i);
         }
         store_vec3(place, positions + size_t{3} * i);
-        times[i] = static_cast<float>(chain.parameters[i]);
+        times[i] = static_cast<float>(rows ? rows->rows[i].time : chain.parameters[i]);
     });
     out->complete_curve(0);
 }

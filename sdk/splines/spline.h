@@ -57,6 +57,8 @@ public:
     double largest_moved = 0;
     bool closed = false;
     bool is_complete = false;  // all of it is there
+    bool jumped = false;       // not to where it goes on from the one before, but to lower energy
+    bool out_of_evaluations = false;
 
     const FlgSplineView& view() const { return view_; }
     void publish_partial() noexcept override;
@@ -121,6 +123,7 @@ Task<void> minimize_chain(Pace& pace, const SplineRequest& request, SplineProble
 Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out);
 
 // The whole of flgSplineSample.
-Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height, std::shared_ptr<CurveSet> out);
+Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height, double spacing,
+                         std::shared_ptr<CurveSet> out);
 
 }  // namespace flg

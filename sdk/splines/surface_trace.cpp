@@ -15,11 +15,6 @@ namespace {
 
 constexpr uint32_t find_chunk = 100;
 
-Task<void> find_nearest(Pace& pace, NearestPoints& nearest, const double* node) {
-    nearest.begin(Vec3(node));
-    while (!nearest.find(find_chunk)) co_await pace;
-}
-
 Task<double> lay_interval(Pace& pace, const Mesh& mesh, PathShortener& shortener, const SurfacePoint& from,
                           const SurfacePoint& to, uint32_t node, SurfaceCurves& out) {
     const SurfaceWalk walk = co_await add_surface_walk(pace, mesh, from, to, out);
@@ -43,17 +38,23 @@ Vec3 direction_at(const Spline& spline, uint32_t node) {
     return Vec3(&spline.chain.nodes[size_t{3} * after]) - Vec3(&spline.chain.nodes[size_t{3} * before]);
 }
 
-// Straight over the triangles, to the left of a direction.
-Task<SurfacePoint> moved_aside(Pace& pace, const Mesh& mesh, SurfacePoint from, Vec3 direction, double offset) {
-    const Vec3 left = triangle_normal(mesh, from.triangle).cross(direction);
-    if (!(left.squaredNorm() > 0)) co_return from;
-    const Vec3 aside = offset > 0 ? left.normalized() : -left.normalized();
-    SurfacePath path(pace.memory());
-    co_await walk_straight(pace, mesh, {moved_inside(from.triangle, from.u, from.v), aside}, std::abs(offset), path);
-    co_return path.points.back();
+}  // namespace
+
+Task<SurfacePoint> nearest_point(Pace& pace, NearestPoints& nearest, Vec3 place) {
+    nearest.begin(place);
+    while (!nearest.find(find_chunk)) co_await pace;
+    co_return nearest.found();
 }
 
-}  // namespace
+Task<void> walk_aside(Pace& pace, const Mesh& mesh, SurfacePoint from, Vec3 direction, double offset,
+                      SurfacePath& out) {
+    const Vec3 left = triangle_normal(mesh, from.triangle).cross(direction);
+    out.clear();
+    out.add(mesh, from);
+    if (!(left.squaredNorm() > 0)) co_return;
+    const Vec3 aside = offset > 0 ? left.normalized() : -left.normalized();
+    co_await walk_straight(pace, mesh, {moved_inside(from.triangle, from.u, from.v), aside}, std::abs(offset), out);
+}
 
 Task<void> find_surface_points(Pace& pace, Spline& out) {
     NearestPoints nearest = co_await nearest_on(pace, *out.manifold);
@@ -62,8 +63,7 @@ Task<void> find_surface_points(Pace& pace, Spline& out) {
     out.largest_moved = 0;
     for (uint32_t i = 0; i < nodes; ++i) {
         const double* const node = &out.chain.nodes[size_t{3} * i];
-        co_await find_nearest(pace, nearest, node);
-        const SurfacePoint& point = nearest.found();
+        const SurfacePoint point = co_await nearest_point(pace, nearest, Vec3(node));
         out.surface_points[i] = {point.triangle, point.u, point.v};
         out.largest_moved = std::max(out.largest_moved, (nearest.found_place() - Vec3(node)).norm());
     }
@@ -77,12 +77,15 @@ Task<void> trace_spline(Pace& pace, std::shared_ptr<const Spline> spline, double
     const RegionSet all(pace.memory());
     PathShortener shortener(mesh, all, pace.memory());
     const auto nodes = static_cast<uint32_t>(spline->chain.nodes.size() / 3);
+    SurfacePath aside(pace.memory());
     double length = 0;
     SurfacePoint first{}, last{};
     for (uint32_t i = 0; i < nodes; ++i) {
-        co_await find_nearest(pace, nearest, &spline->chain.nodes[size_t{3} * i]);
-        SurfacePoint next = nearest.found();
-        if (offset != 0) next = co_await moved_aside(pace, mesh, next, direction_at(*spline, i), offset);
+        SurfacePoint next = co_await nearest_point(pace, nearest, Vec3(&spline->chain.nodes[size_t{3} * i]));
+        if (offset != 0) {
+            co_await walk_aside(pace, mesh, next, direction_at(*spline, i), offset, aside);
+            next = aside.points.back();
+        }
         if (i > 0) {
             length += co_await lay_interval(pace, mesh, shortener, last, next, i - 1, out->curves);
         } else {

@@ -31,8 +31,10 @@ FlgObstacles obstacles_of(const Host& host, const ObstacleScene& scene) {
 }
 
 FlgManifold manifold_of(const Host& host, SceneKind kind) {
-    if (kind == SceneKind::sphere) return shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, reference::sphere_radius);
-    return shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, kind == SceneKind::plane ? 2 : 3);
+    if (kind == SceneKind::sphere || kind == SceneKind::walled_sphere)
+        return shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, reference::sphere_radius);
+    return shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25,
+                          kind == SceneKind::plane || kind == SceneKind::walled_plane ? 2 : 3);
 }
 
 TEST_P(SplineClearance, HoldsBetweenNodesToo) {
@@ -50,9 +52,7 @@ TEST_P(SplineClearance, HoldsBetweenNodesToo) {
         const reference::Approach nearest =
             closest_approach(scene, {view.nodes, size_t{view.node_count} * scene.dimension},
                              {view.parameters, size_t{view.node_count} + 1}, view.closed != 0);
-        // Meshes are known by a grid: a fifth of a cell of the largest one.
-        const double allowed = GetParam().kind == SceneKind::meshes ? 2e-3 : 1e-6;
-        EXPECT_GT(nearest.clearance, -allowed * scene.size)
+        EXPECT_GT(nearest.clearance, -1e-6 * scene.size)
             << "scene " << seed << ", node " << nearest.node << ", solid " << nearest.solid;
         touching += nearest.clearance < 0.01 * scene.size ? 1 : 0;
     }
@@ -62,7 +62,9 @@ TEST_P(SplineClearance, HoldsBetweenNodesToo) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SplineClearance,
                          testing::Values(Kind{SceneKind::plane, 16}, Kind{SceneKind::space, 12},
-                                         Kind{SceneKind::meshes, 5}, Kind{SceneKind::sphere, 12}));
+                                         Kind{SceneKind::meshes, 12}, Kind{SceneKind::sphere, 12},
+                                         Kind{SceneKind::walled_plane, 10}, Kind{SceneKind::walled_space, 8},
+                                         Kind{SceneKind::walled_sphere, 8}));
 
 // Points on the solids' very boundary are no points inside. Beside them a curve may come nearer by a tenth of the
 // barriers' radius.
@@ -84,6 +86,47 @@ TEST(SplineObstacles, GivenPointsMayTouch) {
     EXPECT_GT(nearest.clearance, -0.1 * desc.obstacle_radius * 1.01 * scene.size);
     EXPECT_LT(nearest.clearance, 1e-9);
     EXPECT_EQ(made.node(made.view.point_nodes[1]), (Point{0, 0.5, 0}));
+}
+
+// However few evaluations there are: a curve that keeps clear, or the sentence that says where it did not.
+TEST(SplineObstacles, EvaluationsBoundTheWork) {
+    uint32_t cut_short = 0, refused = 0;
+    for (const uint64_t seed : {1001u, 1002u, 1006u}) {
+        const Host host;
+        const ObstacleScene scene = reference::obstacle_scene(seed, SceneKind::plane);
+        FlgSplineDesc desc = spline_desc(manifold_of(host, SceneKind::plane), scene.points, 2);
+        desc.obstacles = obstacles_of(host, scene);
+        desc.max_evaluations = 0;
+        const MadeSpline whole = make_spline(host, desc);
+        ASSERT_EQ(whole.result, FLG_OK) << whole.error;
+        for (const uint64_t most : {1u, 300u, 1000u, 2000u, 3000u, 5000u, 8000u, 12000u, 100000000u}) {
+            desc.max_evaluations = most;
+            const MadeSpline made = make_spline(host, desc);
+            if (made.result != FLG_OK) {
+                EXPECT_NE(made.error.find("desc.max_evaluations, " + std::to_string(most) + ", were used up"),
+                          std::string::npos)
+                    << made.error;
+                ++refused;
+                continue;
+            }
+            const reference::Approach nearest =
+                closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * 2},
+                                 {made.view.parameters, made.view.node_count}, false);
+            EXPECT_GT(nearest.clearance, -1e-6 * scene.size) << seed << ", " << most;
+            if (made.view.ending == FLG_SPLINE_ENDING_EVALUATIONS) {
+                ++cut_short;
+            } else {
+                ASSERT_EQ(made.view.node_count, whole.view.node_count);
+                EXPECT_TRUE(std::equal(whole.view.nodes, whole.view.nodes + size_t{2} * whole.view.node_count,
+                                       made.view.nodes));
+            }
+            if (most == 100000000u) {
+                EXPECT_EQ(made.view.ending, whole.view.ending);
+            }
+        }
+    }
+    EXPECT_GT(cut_short, 0u);
+    EXPECT_GT(refused, 0u);
 }
 
 TEST(SplineObstacles, SameBitsUnderAnyWorkersAndBudgets) {

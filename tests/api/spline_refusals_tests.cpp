@@ -439,7 +439,9 @@ TEST(SplineObstacles, BadOnesAreNamed) {
     refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.centre[0] = NAN; }, "desc.obstacles[0]");
     refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_BOX, o.axes[0] = 2; },
            "desc.obstacles[0]");
-    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_POLYGON; }, "for the plane");
+    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_POLYGON; }, "points is null");
+    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_HALF_SPACE; },
+           "desc.obstacles[0]: an obstacle's length of the direction outwards is 0");
     refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_FUNCTION; }, "value is null");
     refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_MESH; }, "desc.obstacles[0]: surface");
 }

@@ -582,5 +582,40 @@ TEST(SplineApi, CancelledAndFailedJobsLeaveNothing) {
     EXPECT_EQ(make_spline(host, desc).result, FLG_OK);
 }
 
+// Dragged around a torus, a geodesic goes on around the hole; where that is much longer than the way back, it jumps if
+// it may, and says so.
+TEST(Splines, SeekLowerJumpsWhereAnotherCurveIsClearlyBetter) {
+    const Host host;
+    const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 1, 0.3);
+    for (const uint32_t seeks : {0u, 1u}) {
+        FlgSpline last{};
+        uint32_t jumps = 0;
+        double length = 0;
+        for (uint32_t step = 0; step <= 13; ++step) {
+            const double a = (40 + 20.0 * step) * M_PI / 180;
+            const std::vector<double> points = {1.3, 0, 0, 1.3 * std::cos(a), 1.3 * std::sin(a), 0};
+            FlgSplineDesc desc = spline_desc(torus, points);
+            desc.energy = FLG_SPLINE_ENERGY_E1;
+            const MadeSpline cold = make_spline(host, desc);
+            desc.warm_start = last;
+            desc.seek_lower = seeks;
+            const MadeSpline made = make_spline(host, desc);
+            ASSERT_EQ(made.result, FLG_OK) << made.error;
+            jumps += made.view.jumped;
+            last = made.spline;
+            length = made.view.length;
+            if (seeks != 0) {
+                EXPECT_LT(made.view.energy, 1.053 * cold.view.energy) << step;
+            }
+            if (made.view.jumped != 0) {
+                EXPECT_EQ(made.view.energy, cold.view.energy);
+            }
+        }
+        EXPECT_EQ(jumps > 0, seeks != 0);
+        // To 300 degrees: the long way, or back over 60.
+        EXPECT_EQ(length > 3, seeks == 0) << length;
+    }
+}
+
 }  // namespace
 }  // namespace flg::test

@@ -68,12 +68,23 @@ void fit(Calls& calls, uint32_t dimension, const std::vector<double>& points, Fl
 
 }  // namespace
 
+namespace {
+
+FlgObstacle wall(Calls& calls) {
+    FlgObstacle out = obstacle(calls, FLG_OBSTACLE_KIND_HALF_SPACE, 0, -8, 0, 1);
+    out.to[1] = 1;
+    return out;
+}
+
+}  // namespace
+
 void avoid_obstacles(Calls& calls) {
     const double triangle[] = {1.5, -0.4, 2.2, -0.3, 1.8, 0.5};
     FlgObstacle polygon = obstacle(calls, FLG_OBSTACLE_KIND_POLYGON, 0, 0, 0, 1);
     polygon.points = triangle;
     polygon.point_count = 3;
-    const FlgObstacles flat = among(calls, 2, {polygon, obstacle(calls, FLG_OBSTACLE_KIND_BALL, 0.5, 0.1, 0, 0.3)});
+    const FlgObstacles flat =
+        among(calls, 2, {polygon, obstacle(calls, FLG_OBSTACLE_KIND_BALL, 0.5, 0.1, 0, 0.3), wall(calls)});
     fit(calls, 2, {0, 0, 1.1, 0, 3, 0.1}, flat);
 
     FlgObstacle function = obstacle(calls, FLG_OBSTACLE_KIND_FUNCTION, 0, 3, 0, 0.6);
@@ -83,7 +94,7 @@ void avoid_obstacles(Calls& calls) {
     const FlgObstacles space = among(
         calls, 3,
         {obstacle(calls, FLG_OBSTACLE_KIND_BALL, 0, -3, 0, 0.5), obstacle(calls, FLG_OBSTACLE_KIND_BOX, 3, 0, 0, 0.4),
-         obstacle(calls, FLG_OBSTACLE_KIND_CAPSULE, -3, 0, 0, 0.3), function, solid});
+         obstacle(calls, FLG_OBSTACLE_KIND_CAPSULE, -3, 0, 0, 0.3), function, solid, wall(calls), polygon});
     fit(calls, 3, {-1.6, 0, 0.1, 1.6, 0.1, 0}, space);
     FLG_DRAW(calls, flgDebugDrawObstacles, space);
 

@@ -52,6 +52,12 @@ double from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
     return std::min({from_segment(p, a, b), from_segment(p, b, c), from_segment(p, c, a)});
 }
 
+double from_prism(const Solid& solid, const Vec3& p) {
+    const Vec3 to = p - solid.centre, flat(to.dot(solid.axes[0]), to.dot(solid.axes[1]), 0);
+    const double beside = from_polygon(solid, flat), over = std::abs(to.dot(solid.axes[2])) - solid.half[2];
+    return beside > 0 && over > 0 ? std::hypot(beside, over) : std::max(beside, over);
+}
+
 // The side by the solid angles of all triangles (van Oosterom, Strackee 1983).
 double from_mesh(const Solid& solid, const Vec3& p) {
     double nearest = HUGE_VAL, angle = 0;
@@ -136,14 +142,24 @@ void add_box_mesh(Draws& draw, Solid& solid) {
                        2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
 }
 
+bool is_flat(SceneKind kind) {
+    return kind == SceneKind::plane || kind == SceneKind::walled_plane;
+}
+bool is_round(SceneKind kind) {
+    return kind == SceneKind::sphere || kind == SceneKind::walled_sphere;
+}
+bool is_walled(SceneKind kind) {
+    return kind >= SceneKind::walled_plane;
+}
+
 Solid random_solid(Draws& draw, SceneKind kind, const Vec3& centre) {
-    const uint32_t dimension = kind == SceneKind::plane ? 2 : 3;
+    const uint32_t dimension = is_flat(kind) ? 2 : 3;
     Solid solid;
     solid.centre = centre;
-    const double grow = kind == SceneKind::space ? 1.6 : 1;
+    const double grow = kind == SceneKind::space || kind == SceneKind::walled_space ? 1.6 : 1;
     solid.radius = grow * draw(0.15, 0.6);
     using Kind = Solid::Kind;
-    const Kind last = kind == SceneKind::plane ? Kind::polygon : Kind::capsule;
+    const Kind last = is_flat(kind) || is_walled(kind) ? Kind::polygon : Kind::capsule;
     solid.kind =
         kind == SceneKind::meshes ? Kind::mesh : static_cast<Kind>(draw.below(static_cast<uint32_t>(last) + 1));
     const double length = draw(0.1, 1);
@@ -155,7 +171,7 @@ Solid random_solid(Draws& draw, SceneKind kind, const Vec3& centre) {
     solid.axes[0] = first;
     solid.axes[1] = second;
     solid.axes[2] = first.cross(second);
-    if (solid.kind == Kind::polygon) add_star_polygon(draw, solid, centre);
+    if (solid.kind == Kind::polygon) add_star_polygon(draw, solid, dimension == 2 ? centre : Vec3::Zero());
     if (solid.kind == Kind::mesh) draw.below(2) == 0 ? add_star_mesh(draw, solid, centre) : add_box_mesh(draw, solid);
     return solid;
 }
@@ -186,7 +202,8 @@ double exact_distance(const Solid& solid, uint32_t dimension, const Vec3& place)
         case Solid::Kind::ball: return (place - solid.centre).norm() - solid.radius;
         case Solid::Kind::box: return from_box(solid, dimension, place);
         case Solid::Kind::capsule: return from_segment(place, solid.centre, solid.to) - solid.radius;
-        case Solid::Kind::polygon: return from_polygon(solid, place);
+        case Solid::Kind::polygon: return dimension == 2 ? from_polygon(solid, place) : from_prism(solid, place);
+        case Solid::Kind::half_space: return (place - solid.centre).dot(solid.to);
         default: return from_mesh(solid, place);
     }
 }
@@ -194,21 +211,27 @@ double exact_distance(const Solid& solid, uint32_t dimension, const Vec3& place)
 ObstacleScene obstacle_scene(uint64_t seed, SceneKind kind) {
     Draws draw{.seed = mix64(seed) + static_cast<uint64_t>(kind)};
     ObstacleScene scene;
-    scene.dimension = kind == SceneKind::plane ? 2 : 3;
+    scene.dimension = is_flat(kind) ? 2 : 3;
     scene.clearance = draw(0.01, 0.05);
     if (draw.below(2) == 0) scene.clearance = 0;
     const auto place = [&] {
-        if (kind == SceneKind::sphere) return Vec3(sphere_radius * draw.direction(3));
+        if (is_round(kind)) return Vec3(sphere_radius * draw.direction(3));
         return draw.place(scene.dimension, 0.5 * scene.size);
     };
     const uint32_t count = kind == SceneKind::meshes ? 2 + draw.below(4) : 3 + draw.below(12);
     for (uint32_t i = 0; i < count; ++i) scene.solids.push_back(random_solid(draw, kind, 0.8 * place()));
-    if (kind == SceneKind::sphere) {
+    if (is_round(kind)) {
         for (Solid& solid : scene.solids) {
             const Vec3 shift = solid.centre * (sphere_radius / solid.centre.norm() - 1);
             solid.centre += shift;
             solid.to += shift;
         }
+    }
+    for (uint32_t i = 0; i < 2 && is_walled(kind); ++i) {
+        Solid& wall = scene.solids.emplace_back();
+        wall.kind = Solid::Kind::half_space;
+        wall.to = draw.direction(scene.dimension);
+        wall.centre = -draw(0.2, 0.4) * scene.size * wall.to;
     }
     const uint32_t points = 2 + draw.below(4);
     while (scene.points.size() < size_t{points} * scene.dimension) {
@@ -245,7 +268,10 @@ Approach closest_approach(const ObstacleScene& scene, std::span<const double> no
         if (solid.kind == Solid::Kind::capsule) reach += 0.5 * (solid.to - solid.centre).norm();
         if (solid.kind == Solid::Kind::box) reach = Vec3(solid.half[0], solid.half[1], solid.half[2]).norm();
         for (size_t i = 0; i + 1 < solid.polygon.size(); i += 2)
-            reach = std::max(reach, (Vec3(solid.polygon[i], solid.polygon[i + 1], 0) - centre).norm());
+            reach = std::max(
+                reach, (Vec3(solid.polygon[i], solid.polygon[i + 1], 0) - (d == 2 ? centre : Vec3(0, 0, 0))).norm());
+        if (d == 3 && !solid.polygon.empty()) reach = std::hypot(reach, solid.half[2]);
+        if (solid.kind == Solid::Kind::half_space) reach = HUGE_VAL;
         for (size_t i = 0; i + 2 < solid.positions.size(); i += 3)
             reach = std::max(reach, (load_vec3(&solid.positions[i]) - centre).norm());
         bounds.emplace_back(centre, reach);

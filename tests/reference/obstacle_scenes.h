@@ -14,13 +14,13 @@ namespace flg::reference {
 
 // A solid of the plane (z = 0) or of space.
 struct Solid {
-    enum class Kind : uint8_t { ball, box, capsule, polygon, mesh } kind = Kind::ball;
+    enum class Kind : uint8_t { ball, box, capsule, polygon, mesh, half_space } kind = Kind::ball;
     Vec3 centre;                   // of balls and boxes; a capsule's end
-    Vec3 to;                       // a capsule's other end
+    Vec3 to;                       // a capsule's other end; a half-space's unit vector outwards
     double half[3] = {};           // a box's
-    Vec3 axes[3];                  // a box's, orthonormal
+    Vec3 axes[3];                  // a box's and a prism's, orthonormal
     double radius = 0;             // of balls and capsules
-    std::vector<double> polygon;   // x and y of each vertex
+    std::vector<double> polygon;   // x and y of each vertex; in space, along its axes from its centre, of a prism
     std::vector<float> positions;  // of a closed mesh
     std::vector<uint32_t> triangles;
 };
@@ -28,8 +28,9 @@ struct Solid {
 // For the ABI; of a mesh all but its surface. Points into the solid.
 inline FlgObstacle described(const Solid& solid, uint32_t dimension) {
     FlgObstacle out = flgObstacleDefaults();
-    constexpr FlgObstacleKind kinds[] = {FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_BOX, FLG_OBSTACLE_KIND_CAPSULE,
-                                         FLG_OBSTACLE_KIND_POLYGON, FLG_OBSTACLE_KIND_MESH};
+    constexpr FlgObstacleKind kinds[] = {FLG_OBSTACLE_KIND_BALL,    FLG_OBSTACLE_KIND_BOX,
+                                         FLG_OBSTACLE_KIND_CAPSULE, FLG_OBSTACLE_KIND_POLYGON,
+                                         FLG_OBSTACLE_KIND_MESH,    FLG_OBSTACLE_KIND_HALF_SPACE};
     out.kind = kinds[static_cast<uint32_t>(solid.kind)];
     out.radius = solid.radius;
     out.points = solid.polygon.data();
@@ -46,7 +47,7 @@ inline FlgObstacle described(const Solid& solid, uint32_t dimension) {
 // Signed, negative inside.
 double exact_distance(const Solid& solid, uint32_t dimension, const Vec3& place);
 
-enum class SceneKind : uint8_t { plane, space, meshes, sphere };
+enum class SceneKind : uint8_t { plane, space, meshes, sphere, walled_plane, walled_space, walled_sphere };
 
 struct ObstacleScene {
     uint32_t dimension = 3;
@@ -56,9 +57,9 @@ struct ObstacleScene {
     std::vector<double> points;  // `dimension` numbers each, clear of all solids by 1 % of the size at least
 };
 
-inline constexpr double sphere_radius = 2;  // metres, of the surface that scenes of SceneKind::sphere lie on
+inline constexpr double sphere_radius = 2;  // metres, of the surface that scenes on a sphere lie on
 
-// Scenes of about 5 metres: 3 to 14 solids and 2 to 5 points.
+// Scenes of about 5 metres: 3 to 14 solids and 2 to 5 points. Walled: the same, prisms too, between two half-spaces.
 ObstacleScene obstacle_scene(uint64_t seed, SceneKind kind);
 
 struct Approach {

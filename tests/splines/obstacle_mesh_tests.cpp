@@ -20,6 +20,10 @@ SampledDistance sampled(const Mesh& mesh, double reach, uint32_t cells, bool has
         heap(), [&](Pace& pace) { return mesh_distance(pace, mesh, reach, cells, has_sign); }, haltingly);
 }
 
+MeshObstacle solid(const SampledDistance& distance, const Mesh& mesh) {
+    return MeshObstacle(distance, run_now(heap(), [&](Pace& pace) { return triangle_solid(pace, mesh); }));
+}
+
 // Corners in binary fractions, so that nodes lie on planes of faces and on edges.
 Soup box_soup(double x, double y, double z) {
     Soup soup;
@@ -138,7 +142,7 @@ TEST(MeshDistance, BadNumbersAreRefused) {
 TEST(MeshObstacle, ASphereIsABall) {
     const Mesh mesh = make_mesh(sphere(4));
     const SampledDistance d = sampled(mesh, 0.4, 48, true);
-    const MeshObstacle obstacle(d);
+    const MeshObstacle obstacle = solid(d, mesh);
     const double centre[3] = {0, 0, 0};
     const BallObstacle ball(3, centre, 1);
     for (uint64_t item = 0; item < 1000; ++item) {
@@ -156,12 +160,58 @@ TEST(MeshObstacle, ASphereIsABall) {
     }
     EXPECT_NEAR(obstacle.core_depth(), 0.5, 0.03);
     EXPECT_THROW(sampled(make_mesh(plane(4)), 0.3, 30, true), Failure);  // nothing is inside
-    EXPECT_THROW(MeshObstacle(sampled(mesh, 0.3, 30, false)), Failure);
+    EXPECT_THROW(solid(sampled(mesh, 0.3, 30, false), mesh), Failure);
+}
+
+// Of a box, sharp edges and all: distance and derivatives in closed form, near its surface and deep in it.
+TEST(MeshObstacle, ABoxIsOneExactly) {
+    const double half[3] = {1, 0.5, 0.25}, centre[3] = {0, 0, 0};
+    const BoxObstacle box(3, centre, half, nullptr);
+    const Mesh mesh = make_mesh(box_soup(1, 0.5, 0.25));
+    const SampledDistance d = sampled(mesh, 0.25, 24, true);
+    const MeshObstacle obstacle = solid(d, mesh);
+    uint32_t near = 0;
+    for (uint64_t item = 0; item < 8000; ++item) {
+        const Numbers x = random_numbers(item, 1.2);
+        double gradient[3], second[9], exact[3], exact_second[9];
+        const double away = box.evaluate(x.data(), exact, exact_second);
+        const double value = obstacle.evaluate_exactly(x.data(), gradient, second);
+        EXPECT_LE(obstacle.evaluate_exactly(x.data(), nullptr, nullptr), away + 1e-12);
+        if (away > d.reach) {
+            EXPECT_LE(value, away + 1e-12);
+            continue;
+        }
+        ++near;
+        EXPECT_NEAR(value, away, 1e-12);
+        for (uint32_t k = 0; k < 3; ++k) EXPECT_NEAR(gradient[k], exact[k], 1e-9);
+        for (uint32_t k = 0; k < 9; ++k) EXPECT_NEAR(second[k], exact_second[k], 1e-6 / std::abs(away));
+    }
+    EXPECT_GT(near, 1000u);
+}
+
+// Two closed meshes in one that overlap: what one of them holds is inside, however near the other's surface is.
+TEST(MeshObstacle, OverlappingShellsAreOneSolid) {
+    Soup soup = box_soup(1, 1, 1);
+    const Soup other = box_soup(1, 0.5, 0.5);
+    for (const Position& at : other.positions) soup.positions.push_back({at[0] + 1, at[1], at[2]});
+    for (const Triple& t : other.triangles) soup.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+    const Mesh mesh = make_mesh(soup);
+    const SampledDistance d = sampled(mesh, 0.3, 24, true);
+    const MeshObstacle obstacle = solid(d, mesh);
+    for (const double x : {-0.1, -0.01, 0.1, 0.9, 0.99, 1.1}) {
+        for (const double y : {0.0, 0.45, 0.4999}) {
+            const double at[] = {x, y, 0.1};
+            EXPECT_LT(obstacle.evaluate_exactly(at, nullptr, nullptr), 0) << x << " " << y;
+        }
+    }
+    const double beside[] = {1.0001, 0.5001, 0};
+    EXPECT_GT(obstacle.evaluate_exactly(beside, nullptr, nullptr), 0);
 }
 
 TEST(MeshObstacle, ABarrierKeepsPointsOut) {
-    const SampledDistance d = sampled(make_mesh(torus(60, 30)), 0.3, 64, true);
-    const MeshObstacle obstacle(d);
+    const Mesh mesh = make_mesh(torus(60, 30));
+    const SampledDistance d = sampled(mesh, 0.3, 64, true);
+    const MeshObstacle obstacle = solid(d, mesh);
     const Obstacle* one[] = {&obstacle};
     const ObstacleSet set(one, 0.05, heap());
     EXPECT_THROW(BarrierSurface(set, 0.26, 4), Failure);
@@ -178,7 +228,7 @@ TEST(MeshObstacle, ABarrierKeepsPointsOut) {
                 ++failed;
                 continue;
             }
-            EXPECT_GT(set.distance(x.data()), -1e-9);
+            EXPECT_GT(set.evaluate(0, x.data(), nullptr, nullptr), -1e-9);
         }
         EXPECT_GT(inside, 100u);
         EXPECT_LT(failed, 10u);

@@ -44,6 +44,8 @@ std::vector<std::unique_ptr<Obstacle>> all_shapes() {
         all.push_back(std::make_unique<BoxObstacle>(d, centre, half, nullptr));
         all.push_back(std::make_unique<CapsuleObstacle>(d, centre, to, 0.25));
         all.push_back(std::make_unique<CapsuleObstacle>(d, centre, centre, 0.25));
+        all.push_back(std::make_unique<HalfSpaceObstacle>(d, centre, to));
+        if (d == 3) all.push_back(std::make_unique<PrismObstacle>(PolygonObstacle(star(5), heap()), centre, axes, 0.3));
     }
     all.push_back(std::make_unique<PolygonObstacle>(star(5), heap()));
     const FunctionObstacle::Function function{egg, nullptr, nullptr};
@@ -266,6 +268,28 @@ TEST(Obstacles, PiecesOfCurvesKeepTheirSides) {
     EXPECT_TRUE(space.keeps_sides(a, b, f, g));
 }
 
+// Over a rectangle a prism is a box.
+TEST(Obstacles, APrismOverARectangleIsABox) {
+    const auto turn = rotation(3);
+    double axes[9];
+    for (uint32_t i = 0; i < 3; ++i) std::copy_n(turn[i].begin(), 3, axes + i * 3);
+    const double centre[3] = {0.1, -0.2, 0.15}, half[3] = {0.5, 0.3, 0.2};
+    const BoxObstacle box(3, centre, half, axes);
+    const PrismObstacle prism(PolygonObstacle(std::vector{-0.5, -0.3, 0.5, -0.3, 0.5, 0.3, -0.5, 0.3}, heap()), centre,
+                              axes, 0.2);
+    for (uint32_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(prism.box().lower[k], box.box().lower[k], 1e-12);
+        EXPECT_NEAR(prism.box().upper[k], box.box().upper[k], 1e-12);
+    }
+    for (uint64_t item = 0; item < 1000; ++item) {
+        const Numbers x = random_numbers(item, 1.2);
+        double g[3], h[9], expected_g[3], expected_h[9];
+        EXPECT_NEAR(prism.evaluate(x.data(), g, h), box.evaluate(x.data(), expected_g, expected_h), 1e-12);
+        for (uint32_t k = 0; k < 3; ++k) EXPECT_NEAR(g[k], expected_g[k], 1e-12);
+        for (uint32_t k = 0; k < 9; ++k) EXPECT_NEAR(h[k], expected_h[k], 1e-9);
+    }
+}
+
 TEST(Obstacles, BadNumbersAreRefused) {
     const double nan = std::nan("");
     const double good[3] = {0, 0, 0}, bad[3] = {0, nan, 0}, half[3] = {1, 1, 1}, flat[3] = {1, 0, 1};
@@ -279,6 +303,14 @@ TEST(Obstacles, BadNumbersAreRefused) {
     EXPECT_THROW(BoxObstacle(2, good, half, skew), Failure);
     EXPECT_THROW(CapsuleObstacle(2, good, bad, 1), Failure);
     EXPECT_THROW(CapsuleObstacle(2, good, half, -1), Failure);
+    const double nothing[3] = {0, 0, 0};
+    EXPECT_THROW(HalfSpaceObstacle(2, good, nothing), Failure);
+    EXPECT_THROW(HalfSpaceObstacle(3, bad, half), Failure);
+    EXPECT_THROW(HalfSpaceObstacle(3, good, bad), Failure);
+    const PolygonObstacle base(star(3), heap());
+    EXPECT_THROW(PrismObstacle(base, good, nullptr, 0), Failure);
+    EXPECT_THROW(PrismObstacle(base, bad, nullptr, 1), Failure);
+    EXPECT_THROW(PrismObstacle(base, good, std::array{1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0}.data(), 1), Failure);
     EXPECT_THROW(FunctionObstacle(3, {nullptr, nullptr, nullptr}, {{0, 0, 0}, {1, 1, 1}}, true, 1, 1), Failure);
     EXPECT_THROW(FunctionObstacle(3, {egg, nullptr, nullptr}, {{0, 0, 0}, {1, nan, 1}}, true, 1, 1), Failure);
     const auto polygon = [](std::vector<double> xy) { return PolygonObstacle(xy, heap()); };

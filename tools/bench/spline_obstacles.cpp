@@ -45,7 +45,8 @@ Outcome run_scene(const ObstacleScene& scene, SceneKind kind) {
     obstacles.obstacle_count = static_cast<uint32_t>(solids.size());
     obstacles.clearance = scene.clearance;
     FlgManifoldShapeDesc shape = flgManifoldShapeDefaults();
-    shape.shape = kind == SceneKind::sphere ? FLG_MANIFOLD_SHAPE_SPHERE : FLG_MANIFOLD_SHAPE_SPACE;
+    shape.shape = kind == SceneKind::sphere || kind == SceneKind::walled_sphere ? FLG_MANIFOLD_SHAPE_SPHERE
+                                                                                : FLG_MANIFOLD_SHAPE_SPACE;
     shape.radius = reference::sphere_radius;
     shape.ambient = scene.dimension;
     FlgManifold manifold{};
@@ -109,6 +110,9 @@ std::vector<Row> spline_obstacles() {
     append("solids of space", SceneKind::space, 100);
     append("closed meshes", SceneKind::meshes, 50);
     append("solids on a sphere", SceneKind::sphere, 100);
+    append("walls and prisms in the plane", SceneKind::walled_plane, 50);
+    append("walls and prisms in space", SceneKind::walled_space, 50);
+    append("walls and prisms on a sphere", SceneKind::walled_sphere, 50);
     return rows;
 }
 

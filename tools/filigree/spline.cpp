@@ -15,6 +15,7 @@
 #include "path_curves.h"
 #include "spline_manifold.h"
 #include "spline_obstacles.h"
+#include "spline_road.h"
 
 namespace flg::cli {
 namespace {
@@ -32,6 +33,8 @@ struct Options {
     uint32_t nodes = 0, rounds = 200;
     bool closed = false, inside = false, over_triangles = false, on_mesh = false;
     FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
+    uint64_t evaluations = flgSplineDefaults().max_evaluations;
+    RoadOptions road;
 };
 
 const std::map<std::string, FlgSplineEnergy>& energy_names() {
@@ -100,6 +103,7 @@ Made make_one(Session& session, const Options& options, const SplineManifold& ma
     desc.surface_points = options.on_mesh;
     if (obstacles) {
         desc.obstacles = obstacles->handle;
+        desc.max_evaluations = options.evaluations;
         desc.sides = obstacles->sides.data();
         desc.side_count = static_cast<uint32_t>(obstacles->sides.size());
     }
@@ -272,6 +276,7 @@ void run_spline(const Options& options, const CommonOptions& common) {
     if ((options.fit != Fit::none) != !options.fit_output.empty())
         throw UsageError("--fit and --fit-output go together");
     if (options.fit != Fit::none) require_writable(options.fit_output);
+    check_road_options(options.road);
     Report report("spline", common);
     describe(options, report);
     Session session(common);
@@ -322,7 +327,10 @@ void run_spline(const Options& options, const CommonOptions& common) {
                         " held where the surface has a sharp edge, the first at " + place +
                         "; --smoothing-scale rounds edges off");
         }
-        if (view.ending == FLG_SPLINE_ENDING_TRIANGLES) {
+        if (view.ending == FLG_SPLINE_ENDING_EVALUATIONS) {
+            report.warn(all.back().subject + ": --evaluations were used up, so the curve keeps clear, but may be " +
+                        "farther from the obstacles than it has to");
+        } else if (view.ending == FLG_SPLINE_ENDING_TRIANGLES) {
             if (options.over_triangles) continue;
             report.warn(all.back().subject +
                         ": the smooth surface can't be reached, so this is the curve over the triangles; "
@@ -343,6 +351,11 @@ void run_spline(const Options& options, const CommonOptions& common) {
     report.quality["largest_offset"] = offset;
     if (options.on_mesh) report.quality["largest_moved"] = moved;
     if (options.fit != Fit::none) write_fit(all, options, report);
+    if (options.road.is_wanted()) {
+        std::vector<FlgSpline> splines;
+        for (const Made& made : all) splines.push_back(made.spline);
+        write_roads(session, options.road, manifold.mesh != nullptr, splines, report);
+    }
     write_output(session, std::move(drawn), options);
     report.write();
 }
@@ -417,6 +430,11 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
         ->capture_default_str();
     app->add_option("--obstacles", o->obstacles, "Solids to keep out of (sdk/splines/README.md)")
         ->type_name("FILE.json");
+    app->add_option("--evaluations", o->evaluations,
+                    "With --obstacles: places that are tried for points of the curve at most, which bounds the time; "
+                    "0: no bound")
+        ->capture_default_str();
+    add_road_options(*app, o->road);
     app->add_option("--tolerance", o->tolerance, "Residual at which the optimizer stops")
         ->check(CLI::Range(1e-12, 1.0))
         ->capture_default_str();

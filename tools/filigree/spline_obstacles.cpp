@@ -29,9 +29,29 @@ struct Sources {
     std::deque<MeshSurface> meshes;
 };
 
+void read_axes(const JsonPlace& place, uint32_t dimension, FlgObstacle& out) {
+    const auto axes = place.find("axes");
+    if (!axes) return;
+    const std::vector<JsonPlace> rows = axes->items();
+    if (rows.size() != dimension) axes->fail("must have as many rows as there are dimensions");
+    for (uint32_t r = 0; r < dimension; ++r) read_place(rows[r], dimension, out.axes + size_t{3} * r);
+}
+
+void read_polygon(const JsonPlace& place, Sources& sources, FlgObstacle& out) {
+    out.kind = FLG_OBSTACLE_KIND_POLYGON;
+    std::vector<double>& points = sources.polygons.emplace_back();
+    for (const JsonPlace& point : place.items()) {
+        double xy[3] = {};
+        read_place(point, 2, xy);
+        points.insert(points.end(), {xy[0], xy[1]});
+    }
+    out.points = points.data();
+    out.point_count = static_cast<uint32_t>(points.size() / 2);
+}
+
 FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, Sources& sources) {
     FlgObstacle out = flgObstacleDefaults();
-    place.allow({"ball", "box", "capsule", "polygon", "mesh"});
+    place.allow({"ball", "box", "capsule", "half_space", "mesh", "polygon", "prism"});
     if (const auto ball = place.find("ball")) {
         ball->allow({"centre", "radius"});
         out.kind = FLG_OBSTACLE_KIND_BALL;
@@ -42,11 +62,7 @@ FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, Sources& s
         out.kind = FLG_OBSTACLE_KIND_BOX;
         read_place(box->at("centre"), dimension, out.centre);
         read_place(box->at("half"), dimension, out.half);
-        if (const auto axes = box->find("axes")) {
-            const std::vector<JsonPlace> rows = axes->items();
-            if (rows.size() != dimension) axes->fail("must have as many rows as there are dimensions");
-            for (uint32_t r = 0; r < dimension; ++r) read_place(rows[r], dimension, out.axes + size_t{3} * r);
-        }
+        read_axes(*box, dimension, out);
     } else if (const auto capsule = place.find("capsule")) {
         capsule->allow({"from", "to", "radius"});
         out.kind = FLG_OBSTACLE_KIND_CAPSULE;
@@ -54,15 +70,20 @@ FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, Sources& s
         read_place(capsule->at("to"), dimension, out.to);
         out.radius = capsule->at("radius").number(0, most);
     } else if (const auto polygon = place.find("polygon")) {
-        out.kind = FLG_OBSTACLE_KIND_POLYGON;
-        std::vector<double>& points = sources.polygons.emplace_back();
-        for (const JsonPlace& point : polygon->items()) {
-            double xy[3] = {};
-            read_place(point, 2, xy);
-            points.insert(points.end(), {xy[0], xy[1]});
-        }
-        out.points = points.data();
-        out.point_count = static_cast<uint32_t>(points.size() / 2);
+        if (dimension != 2) polygon->fail("is an obstacle of the plane; in space it is the base of a prism");
+        read_polygon(*polygon, sources, out);
+    } else if (const auto prism = place.find("prism")) {
+        if (dimension != 3) prism->fail("is no obstacle of the plane");
+        prism->allow({"base", "centre", "half_height", "axes"});
+        read_polygon(prism->at("base"), sources, out);
+        if (const auto centre = prism->find("centre")) read_place(*centre, dimension, out.centre);
+        out.half[2] = prism->at("half_height").number(0, most);
+        read_axes(*prism, dimension, out);
+    } else if (const auto half_space = place.find("half_space")) {
+        half_space->allow({"through", "outwards"});
+        out.kind = FLG_OBSTACLE_KIND_HALF_SPACE;
+        read_place(half_space->at("through"), dimension, out.centre);
+        read_place(half_space->at("outwards"), dimension, out.to);
     } else if (const auto mesh = place.find("mesh")) {
         if (dimension != 3) mesh->fail("is no obstacle of the plane");
         const std::string file = (sources.folder / mesh->text()).string();
@@ -71,7 +92,7 @@ FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, Sources& s
         out.kind = FLG_OBSTACLE_KIND_MESH;
         out.surface = read.handle();
     } else {
-        place.fail("must have one of ball, box, capsule, polygon, mesh");
+        place.fail("must have one of ball, box, capsule, half_space, mesh, polygon, prism");
     }
     return out;
 }

@@ -208,9 +208,9 @@ typedef enum FlgObstacleKind {
     FLG_OBSTACLE_KIND_BALL = 0,     /* centre, radius */
     FLG_OBSTACLE_KIND_BOX = 1,      /* centre, half, axes */
     FLG_OBSTACLE_KIND_CAPSULE = 2,  /* everything within `radius` of the segment from centre to `to` */
-    FLG_OBSTACLE_KIND_POLYGON = 3,  /* plane only: points */
+    FLG_OBSTACLE_KIND_POLYGON = 3,  /* points; in space the prism over it: centre, axes, half[2] */
     FLG_OBSTACLE_KIND_FUNCTION = 4, /* defined by the host */
-    FLG_OBSTACLE_KIND_MESH = 5,     /* space only: a closed surface, to half a cell of a grid of `cells` */
+    FLG_OBSTACLE_KIND_MESH = 5,     /* space only: a closed surface, kept clear of exactly; `cells` as below */
     FLG_OBSTACLE_KIND_LAYER = 6,    /* space only: everything farther than `radius` from an open surface: curves stay
                                        in a thin layer around it, and so between its borders (sec. 5) */
     FLG_OBSTACLE_KIND_BORDER = 7,   /* space only: the region beyond a surface's open borders, for curves on its
@@ -218,6 +218,8 @@ typedef enum FlgObstacleKind {
                                        clearance, and the curve may run along the border: between two nodes it may cut
                                        off a corner that points in, a right one by half their distance at most. Beside
                                        others it is a wall like them, which rounds corners by about an edge */
+    FLG_OBSTACLE_KIND_HALF_SPACE = 8, /* all on one side of a plane (in the plane, of a line): centre, on the boundary,
+                                         and `to`, the direction out of the solid */
     FLG_OBSTACLE_KIND_FORCE_32BIT = 0x7fffffff
 } FlgObstacleKind;
 
@@ -226,14 +228,15 @@ typedef struct FlgObstacle {
     uint32_t struct_size; /* the same of all obstacles of a set */
     FlgObstacleKind kind;
     FlgSurface surface;
-    uint32_t cells;       /* grid cells along the longest side, 8 to 192; a layer is at least 4 of them thick.
-                             Default 64 */
+    uint32_t cells;       /* grid cells along the longest side, 8 to 192: through them the curve is found. A layer is at
+                             least 4 of them thick. Default 64 */
     uint32_t point_count; /* 3 to 256 */
-    double centre[3];     /* of balls, boxes, capsules, and the box around a function */
-    double half[3];       /* half the box's sides, above 0 */
+    double centre[3];     /* of balls, boxes, capsules, half-spaces, and the box around a function; in space what a
+                             polygon's points are relative to */
+    double half[3];       /* half the box's sides, above 0; of a prism the last: half its height */
     double axes[9];       /* rows: the box's axes, orthonormal to 1e-6; in the plane the first two numbers of the first
-                             two rows */
-    double to[3];         /* a capsule's other end */
+                             two rows. A prism's polygon lies along the first two, its height along the third */
+    double to[3];         /* a capsule's other end; of a half-space, any length but 0 */
     double radius;        /* above 0 */
     const double* points; /* 2 per point: a simple polygon, in either orientation; read during the call */
     /* For FLG_OBSTACLE_KIND_FUNCTION, called from any thread. Returns a value that is positive outside and never
@@ -264,7 +267,7 @@ FLG_API FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_s
 /* Starts a job that makes obstacles (sec. 5); splines may be requested before it is done. Refuses sizes that are not
  * positive, polygons that cross themselves, and axes that are not orthonormal; the message names the obstacle. The job
  * fails for meshes that contain nothing, layers thinner than 4 cells, and surfaces without borders. Cost: of meshes 100
- * to 500 ns a cell of their grid. */
+ * to 500 ns a cell of their grid, and of closed ones 200 ns a triangle. */
 FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles,
                                      FlgJob* out_job);
 FLG_API FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
@@ -369,7 +372,9 @@ typedef struct FlgSplineDesc {
                                        whatever the smoothing. Refused together with obstacles or `curve`. Default
                                        null */
     uint32_t handle_count;
-    uint32_t reserved;
+    uint32_t seek_lower;    /* nonzero, with a warm_start: also minimizes from a new initial curve, and takes that where
+                               its energy is more than 5 % lower; the view says so. Takes as long as without the
+                               warm_start besides. Refused together with obstacles or `curve`. Default 0 */
     const double* softness; /* one per point: its own `smoothing`, from 0 (passes through) to 1e30. Refused together
                                with obstacles. Default null: `smoothing` for all */
     const double* tensions; /* one per segment from a given point to the next, closed: also for the return: factors of
@@ -377,6 +382,10 @@ typedef struct FlgSplineDesc {
                                null: 1 */
     double key_tolerance;   /* metres; above 0: the view also gives the curve as few cubic pieces, at most so far from
                                it. Default 0: none */
+    uint64_t max_evaluations; /* among obstacles: how often nodes are put onto the manifold at most, in all, 1 to 2 us
+                                 each: bounds the time, and is the same on every machine. Used up, the result is the
+                                 best curve so far that keeps clear (FLG_SPLINE_ENDING_EVALUATIONS); the job fails if
+                                 there is none. Fewer than some 20 a node leave none. 0: no bound. Default 150000 */
 } FlgSplineDesc;
 
 FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
@@ -406,6 +415,8 @@ typedef enum FlgSplineEnding {
     FLG_SPLINE_ENDING_TRIANGLES = 5, /* the curve over the triangles of a mesh: it was asked for, or the smooth surface
                                         can't be reached somewhere. Nodes lie on triangles, given points at the nearest
                                         points of these */
+    FLG_SPLINE_ENDING_EVALUATIONS = 7, /* max_evaluations were used up: the best curve so far that keeps clear of all
+                                          obstacles, perhaps farther away than it has to */
     FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnding;
 
@@ -447,7 +458,8 @@ typedef struct FlgSplineView {
      * the next, h later in parameter: point, point + h / 3 leaving, next point - h / 3 next arriving, next point. There
      * is a key at each given point; a closed curve's last key is its first again. */
     uint32_t key_count;
-    uint32_t reserved;
+    uint32_t jumped;              /* nonzero: with seek_lower, the curve is not that which goes on from the warm_start,
+                                     but another one of lower energy */
     const double* key_parameters; /* ascending; a closed curve's with handles begin at the first one */
     const double* key_points;     /* n per key */
     const double* key_arriving;   /* n per key: the derivative by the parameter before it */
@@ -484,14 +496,46 @@ typedef struct FlgSplineSampleDesc {
     float height;      /* metres above the surface, along its normals. Default 0 */
     const FlgJobOptions* job;
     FlgSpline spline;  /* in R^3 */
+    double spacing;    /* metres between points, evenly along the curve: rounded so that it fits the length a whole
+                          number of times. 0: points are nodes. Default 0 */
 } FlgSplineSampleDesc;
 
 FLG_API FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint32_t struct_size);
 
 /* Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in R^3,
  * NORMAL. Stylize it in the surface's frame (FLG_FRAME_METHOD_SUPPLIED), draw it, project it, or cut along it. Cost:
- * about 3 ns a node. */
+ * about 3 ns a node; with a spacing 300 ns a point. */
 FLG_API FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, FlgCurveSet* out_set,
+                                  FlgJob* out_job);
+
+typedef struct FlgSplineRibbonDesc {
+    uint32_t struct_size;
+    uint32_t columns;   /* quads across, 1 to 256. Default 4 */
+    const FlgJobOptions* job;
+    FlgSpline spline;   /* in R^3 */
+    double width;       /* metres, above 0. Default 1 */
+    double spacing;     /* metres between rows, as of FlgSplineSampleDesc. 0: a row at each node. Default 0 */
+    double height;      /* metres above where it lies, along its own normals. Default 0 */
+    double bank;        /* metres: it leans into bends by the angle whose tangent is the curvature times this, which is
+                           the square of a speed over 9.81. For ribbons that do not conform. Default 0: none */
+    double texture_length; /* metres of the curve for a texture once; rounded so that it fits around a closed one.
+                              0: the width. Default 0 */
+    double up[3];       /* rows are level, across this direction; 0: across the surface's normals. Needed by curves in
+                           free space. For ribbons that do not conform. Default 0 */
+    uint32_t conforms;  /* nonzero: rows lie on the triangles of the spline's mesh, and end at its border. Between its
+                           vertices the ribbon is straight, so the mesh may stand above it a little: `height` lifts it.
+                           Default 0: rows are straight */
+    uint32_t reserved;
+} FlgSplineRibbonDesc;
+
+FLG_API FlgResult flgSplineRibbonDescInit(FlgSplineRibbonDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes a ribbon or road along a spline: a new surface with the spline's origin and columns POSITION,
+ * NORMAL, UV (u across from left to right, v along) and WIDTH (of the row, metres). On the inner side of a bend tighter
+ * than it is wide rows end before they would cross their neighbours, so WIDTH is less there. A closed ribbon's last row
+ * repeats the first, for the texture. Cost: about 0.5 us a vertex; 3 us a row that conforms. Fails with FLG_ERROR_LIMIT
+ * above 2^26 vertices or 2^20 rows. */
+FLG_API FlgResult flgSplineRibbon(FlgContext context, const FlgSplineRibbonDesc* desc, FlgSurface* out_surface,
                                   FlgJob* out_job);
 
 FLG_API FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
@@ -573,6 +617,12 @@ static inline FlgSplineHandle flgSplineHandleDefaults(void) {
 static inline FlgSplineSampleDesc flgSplineSampleDefaults(void) {
     FlgSplineSampleDesc desc;
     flgSplineSampleDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSplineRibbonDesc flgSplineRibbonDefaults(void) {
+    FlgSplineRibbonDesc desc;
+    flgSplineRibbonDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -33,6 +33,20 @@ public:
         walk_down([&](uint32_t node) { return square_to(boxes_[node], x) <= slack * slack; }, visit);
     }
 
+    // Calls visit(first, end) with ranges of the order, upwards: those leaves whose box the ray from x in the direction
+    // of an axis meets. With all boxes made.
+    template <class Visit>
+    void along(const double* x, uint32_t axis, Visit&& visit) const {
+        const auto meets = [&](uint32_t node) {
+            const Box& box = boxes_[node];
+            bool inside = x[axis] <= box.upper[axis];
+            for (uint32_t k = 0; k < 3; ++k)
+                inside = inside && (k == axis || (box.lower[k] <= x[k] && x[k] <= box.upper[k]));
+            return inside;
+        };
+        walk_down(meets, visit);
+    }
+
     // Calls visit(first, end) with leaves that may hold something whose square distance from x is less than `square`,
     // which visit() lowers: near ones first. With all boxes made.
     template <class Visit>

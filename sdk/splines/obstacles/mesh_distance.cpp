@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/obstacles/triangle_place.h"
 
 namespace flg {
 
@@ -17,42 +18,6 @@ constexpr double border = 3;  // cells beyond the reach, where the spline's ends
 constexpr uint32_t polish_steps = 16;
 constexpr uint32_t max_sweeps = 255;  // more than any mesh needs: a path of nearest triangles turns a few times
 constexpr double max_hop = 1.7321;    // of the spacing, to a neighbour
-
-// Ericson: Real-time collision detection (2005), sec. 5.1.5, by Voronoi regions.
-double square_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 ab = b - a, ac = c - a, ap = p - a;
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0) return ap.squaredNorm();
-    const Vec3 bp = p - b;
-    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3) return bp.squaredNorm();
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - d1 / (d1 - d3) * ab).squaredNorm();
-    const Vec3 cp = p - c;
-    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6) return cp.squaredNorm();
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - d2 / (d2 - d6) * ac).squaredNorm();
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        return (bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
-    }
-    const double sum = va + vb + vc;
-    return (ap - vb / sum * ab - vc / sum * ac).squaredNorm();
-}
-
-// How often the edge from a to b turns around p counter-clockwise, seen along an axis: 1, -1 or 0, by whether it passes
-// the ray from p in direction u. The same bits for the edge from b to a but for the sign.
-int winding_of_edge(double pu, double pv, double au, double av, double bu, double bv) {
-    if ((av <= pv) == (bv <= pv)) return 0;
-    const bool up = av <= pv;
-    if (!up) {
-        std::swap(au, bu);
-        std::swap(av, bv);
-    }
-    const double side = (bu - au) * (pv - av) - (pu - au) * (bv - av);
-    return side > 0 ? (up ? 1 : -1) : 0;
-}
 
 // The nodes of a box.
 struct NodeBox {
@@ -81,8 +46,7 @@ struct Distances {
     // Takes the triangle if it is nearer than the node's, and than `max`.
     bool try_triangle(uint32_t node, uint32_t triangle, const Vec3& x, double max) {
         const Triple& t = mesh.triangles[triangle];
-        const double away =
-            std::sqrt(square_distance(x, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])));
+        const double away = triangle_foot(x, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])).to.norm();
         if (!(away < clearly_less * double(values[node])) || away > max) return false;
         values[node] = static_cast<float>(away);
         nearest[node] = triangle;
@@ -217,22 +181,16 @@ void cross(const Distances& d, uint32_t triangle, uint32_t axis, const NodeBox& 
     const uint32_t u = (axis + 1) % 3, v = (axis + 2) % 3, wide = box.last[u] - box.first[u] + 1;
     Vec3 p[3];
     for (uint32_t k = 0; k < 3; ++k) p[k] = d.mesh.position(d.mesh.triangles[triangle][k]);
-    const int iu = static_cast<int>(u), iv = static_cast<int>(v), ia = static_cast<int>(axis);
     for (uint32_t i = begin; i < end; ++i) {
         std::array<uint32_t, 3> cell{};
         cell[u] = box.first[u] + i % wide;
         cell[v] = box.first[v] + i / wide;
-        const double pu = grid.origin[u] + grid.spacing * cell[u], pv = grid.origin[v] + grid.spacing * cell[v];
-        int turns = 0;
-        for (uint32_t e = 0; e < 3; ++e) {
-            const Vec3 &a = p[e], &b = p[(e + 1) % 3];
-            turns += winding_of_edge(pu, pv, a[iu], a[iv], b[iu], b[iv]);
-        }
+        Vec3 line = Vec3::Zero();
+        line[static_cast<int>(u)] = grid.origin[u] + grid.spacing * cell[u];
+        line[static_cast<int>(v)] = grid.origin[v] + grid.spacing * cell[v];
+        double at = 0;
+        const int turns = crossing_of_line(p, line, static_cast<int>(axis), &at);
         if (turns == 0) continue;
-        const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
-        double at = p[0][ia];
-        if (normal[ia] != 0) at -= (normal[iu] * (pu - p[0][iu]) + normal[iv] * (pv - p[0][iv])) / normal[ia];
-        at = std::clamp(at, std::min({p[0][ia], p[1][ia], p[2][ia]}), std::max({p[0][ia], p[1][ia], p[2][ia]}));
         cell[axis] = static_cast<uint32_t>(std::floor((at - grid.origin[axis]) / grid.spacing)) + 1;
         windings[grid.node(cell)] = static_cast<int16_t>(windings[grid.node(cell)] - turns);
     }

@@ -93,11 +93,11 @@ double ObstacleSet::distance(const double* x, uint32_t* which, double* gradient,
     uint32_t found = count();
     for (uint32_t i = 0; i < count(); ++i) {
         if (at_least(i, x) >= least) continue;
-        const double d = evaluate(i, x, nullptr, nullptr);
+        const double d = obstacles_[i]->evaluate_exactly(x, nullptr, nullptr) - clearance_;
         if (d < least) least = d, found = i;
     }
     if (which != nullptr) *which = found;
-    if (gradient != nullptr && found < count()) evaluate(found, x, gradient, nullptr);
+    if (gradient != nullptr && found < count()) obstacles_[found]->evaluate_exactly(x, gradient, nullptr);
     return least;
 }
 

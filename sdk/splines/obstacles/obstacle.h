@@ -41,6 +41,11 @@ public:
     // The signed distance of x, its gradient (d numbers) and its second derivatives (d x d), each but the value may be
     // null. Finite x. Any thread. 1 us at most.
     virtual double evaluate(const double* x, double* gradient, double* second) const = 0;
+    // The same from the solid itself, where evaluate() smooths it: the value is never more than the distance, to
+    // rounding. What certifies that a curve is clear looks at this one.
+    virtual double evaluate_exactly(const double* x, double* gradient, double* second) const {
+        return evaluate(x, gradient, second);
+    }
 
     // A wireframe of the boundary, moved outwards by `clearance` >= 0 without rounding corners; that of the box if the
     // shape has none of its own.
@@ -90,25 +95,32 @@ public:
     ObstacleSet(std::span<const Obstacle* const> obstacles, double clearance, Memory* memory);
 
     ObstacleSet(const ObstacleSet& other, Memory* memory)
-        : obstacles_(other.obstacles_, memory), dimension_(other.dimension_), clearance_(other.clearance_) {}
+        : obstacles_(other.obstacles_, memory),
+          dimension_(other.dimension_),
+          clearance_(other.clearance_),
+          is_smooth_(other.is_smooth_) {}
 
     static constexpr uint32_t max_count = 256;
 
     // Less than the reach of each. Nobody else uses the set meanwhile.
     void set_clearance(double clearance) { clearance_ = clearance; }
+    // Whether evaluate() may smooth, as it does at first. Likewise.
+    void set_smooth(bool smooth) { is_smooth_ = smooth; }
 
     uint32_t dimension() const { return dimension_; }
     uint32_t count() const { return static_cast<uint32_t>(obstacles_.size()); }
     double clearance() const { return clearance_; }
     const Obstacle& operator[](uint32_t i) const { return *obstacles_[i]; }
 
-    // The distance from obstacle i, less the clearance.
+    // The distance from obstacle i, less the clearance: for barriers.
     double evaluate(uint32_t i, const double* x, double* gradient, double* second) const {
-        return obstacles_[i]->evaluate(x, gradient, second) - clearance_;
+        const Obstacle& obstacle = *obstacles_[i];
+        return (is_smooth_ ? obstacle.evaluate(x, gradient, second) : obstacle.evaluate_exactly(x, gradient, second)) -
+               clearance_;
     }
     // That distance is no less than this; quickly.
     double at_least(uint32_t i, const double* x) const;
-    // The least distance, of obstacle `which`; nothing is evaluated that can't be less than `below`, which is then
+    // The exact least distance, of obstacle `which`; nothing is evaluated that can't be less than `below`: then that is
     // returned. Each may be null but x. 5 ns an obstacle that is far, beside those that are near.
     double distance(const double* x, uint32_t* which = nullptr, double* gradient = nullptr,
                     double below = std::numeric_limits<double>::infinity()) const;
@@ -139,6 +151,7 @@ private:
     std::pmr::vector<const Obstacle*> obstacles_;
     uint32_t dimension_ = 0;
     double clearance_;
+    bool is_smooth_ = true;
 };
 
 }  // namespace flg

@@ -23,10 +23,16 @@ uint32_t max_cells(uint32_t dimension) {
     return dimension == 2 ? 512 : 96;
 }
 
+bool is_endless(const Obstacle& obstacle) {
+    return !std::isfinite(obstacle.box().lower[0]);
+}
+
 // The narrowest gap so far, `least`, or that between two: from the middle of one to the boundary of the other and back,
 // until the way is the gap. One that overlaps the other has none.
 double gap_between(const ObstacleSet& obstacles, const Obstacle& a, const Obstacle& b, double least) {
-    if (!a.bounded() || !b.bounded()) return least;
+    if (!a.bounded() && !is_endless(a)) return least;
+    if (!b.bounded() && (!is_endless(b) || !a.bounded())) return least;
+    if (!a.bounded()) return gap_between(obstacles, b, a, least);
     const uint32_t d = obstacles.dimension();
     Obstacle::Place x{}, gradient{};
     double apart = 0;

@@ -10,6 +10,7 @@ namespace flg {
 
 namespace {
 
+constexpr double sampling_error = 1;              // cells, generously: so far off is the spline at most
 constexpr double min_layer = 4, smooth_from = 3;  // cells: nearer to the mesh the distance's crease is felt
 
 double checked_depth(const SampledDistance& distance) {
@@ -52,14 +53,40 @@ double from_box(const Obstacle::Box& box, const double* x, double* gradient, dou
 
 }  // namespace
 
-MeshObstacle::MeshObstacle(const SampledDistance& distance)
+MeshObstacle::MeshObstacle(const SampledDistance& distance, TriangleSolid triangles)
     : Obstacle(3, wider(distance.box, 0.1 * distance.grid.spacing), true, checked_depth(distance), distance.reach),
-      distance_(distance) {}
+      distance_(distance),
+      triangles_(std::move(triangles)) {}
 
 double MeshObstacle::evaluate(const double* x, double* gradient, double* second) const {
     double value = 0;
     if (distance_.evaluate(x, &value, gradient, second)) return value;
     return from_box(distance_.box, x, gradient, second);
+}
+
+double MeshObstacle::evaluate_exactly(const double* x, double* gradient, double* second) const {
+    double sampled = 0;
+    if (!distance_.evaluate(x, &sampled, nullptr, nullptr)) return from_box(distance_.box, x, gradient, second);
+    const double error = sampling_error * distance_.grid.spacing;
+    // Where that will do.
+    if (sampled > 4 * error && gradient == nullptr && second == nullptr) return sampled - error;
+    TriangleSolid::Nearest nearest = triangles_.nearest(x, std::abs(sampled) + error);
+    if (nearest.triangle == no_index) nearest = triangles_.nearest(x, std::numeric_limits<double>::infinity());
+    const bool inside = std::abs(sampled) > error ? sampled < 0 : triangles_.holds(x);
+    const double value = inside ? -nearest.away : nearest.away;
+    const Vec3 outwards = nearest.away > 0 ? Vec3(nearest.foot.to / value) : triangles_.normal(nearest.triangle);
+    if (gradient != nullptr) std::copy_n(outwards.data(), 3, gradient);
+    if (second == nullptr) return value;
+    Eigen::Map<Eigen::Matrix3d> form(second);
+    form.setZero();
+    if (nearest.foot.on == TriangleFoot::On::face || !(nearest.away > 0)) return value;
+    form = Eigen::Matrix3d::Identity() - outwards * outwards.transpose();
+    if (nearest.foot.on == TriangleFoot::On::edge) {
+        const Vec3 way = triangles_.way(nearest.triangle, nearest.foot.k);
+        form -= way * way.transpose();
+    }
+    form /= value;
+    return value;
 }
 
 LayerObstacle::LayerObstacle(const SampledDistance& distance, double epsilon)

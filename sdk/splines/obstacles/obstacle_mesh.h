@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Meshes as obstacles, by distances sampled on a grid (mesh_distance.h): a closed mesh is a solid; around a mesh with a
-// boundary all is an obstacle that is farther than a little, so that a curve stays in a thin layer (Hofer, Pottmann
-// 2004, end of sec. 5 and Fig. 1, left) and is projected onto the mesh in the end.
+// Meshes as obstacles: a closed mesh is a solid; around one with a boundary all is an obstacle that is farther than a
+// little, so that a curve stays in a thin layer (Hofer, Pottmann 2004, end of sec. 5 and Fig. 1, left) and is projected
+// onto the mesh in the end.
 //
-// The value is the spline's: its zero is off the mesh by the error that mesh_distance.h states, and it may be more
-// than the distance by as much. Beyond the grid it is the distance from the mesh's box, which is less.
+// Barriers see distances sampled on a grid (mesh_distance.h), which are smooth: their zero is off the mesh by the error
+// that mesh_distance.h states, and they may be more than the distance by as much. A solid also knows the distance from
+// its triangles, exactly. Beyond the grid both are the distance from the mesh's box, which is less.
 #pragma once
 
 #include "splines/obstacles/mesh_distance.h"
 #include "splines/obstacles/obstacle.h"
+#include "splines/obstacles/triangle_solid.h"
 
 namespace flg {
 
 class MeshObstacle final : public Obstacle {
 public:
-    // Of a distance with sign, which outlives it. core_depth() is half of its greatest depth: of a solid of several
-    // lumps with thin necks between them it says too much. Throws a Failure for one without sign.
-    explicit MeshObstacle(const SampledDistance& distance);
+    // Of a distance with sign, which outlives it, and the triangles that it is from. core_depth() is half of its
+    // greatest depth: of a solid of several lumps with thin necks between them it says too much. Throws a Failure for
+    // a distance without sign.
+    MeshObstacle(const SampledDistance& distance, TriangleSolid triangles);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    // The second derivatives are those of the distance from the nearest face, edge or corner. 1 us.
+    double evaluate_exactly(const double* x, double* gradient, double* second) const override;
 
 private:
     const SampledDistance& distance_;
+    TriangleSolid triangles_;
 };
 
 class LayerObstacle final : public Obstacle {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/obstacles/obstacle_shapes.h"
 
 namespace flg {
 
@@ -201,6 +202,97 @@ void PolygonObstacle::draw(double clearance, Wires& wires) const {
         const double x = out * (b.y - a.y), y = out * (a.x - b.x);
         wires.line({a.x + x, a.y + y}, {b.x + x, b.y + y});
     }
+}
+
+namespace {
+
+// Of a prism: that of the box around it, which checks its numbers.
+Obstacle::Box box_around(const PolygonObstacle& polygon, const double* centre, const double* axes, double half_height) {
+    double half[3] = {0, 0, half_height};
+    Obstacle::Place middle{};
+    std::copy_n(centre, 3, middle.begin());
+    for (uint32_t i = 0; i < 2; ++i) {
+        half[i] = 0.5 * (polygon.box().upper[i] - polygon.box().lower[i]);
+        const double along = 0.5 * (polygon.box().upper[i] + polygon.box().lower[i]);
+        for (uint32_t k = 0; k < 3; ++k)
+            middle[k] += along * (axes == nullptr ? (i == k ? 1.0 : 0.0) : axes[3 * i + k]);
+    }
+    return BoxObstacle(3, middle.data(), half, axes).box();
+}
+
+}  // namespace
+
+PrismObstacle::PrismObstacle(PolygonObstacle polygon, const double* centre, const double* axes, double half_height)
+    : Obstacle(3, box_around(polygon, centre, axes, half_height), true, std::min(polygon.core_depth(), half_height)),
+      polygon_(std::move(polygon)),
+      half_height_(half_height) {
+    std::copy_n(centre, 3, centre_.begin());
+    for (uint32_t i = 0; i < 3; ++i)
+        for (uint32_t k = 0; k < 3; ++k) axes_[i][k] = axes == nullptr ? (i == k ? 1 : 0) : axes[3 * i + k];
+    Place core = centre_;
+    for (uint32_t i = 0; i < 2; ++i)
+        for (uint32_t k = 0; k < 3; ++k) core[k] += polygon_.core()[i] * axes_[i][k];
+    set_core(core);
+}
+
+// By the distances a from the polygon and b from the two faces: beside the prism, over it, off its rim, or in it.
+double PrismObstacle::evaluate(const double* x, double* gradient, double* second) const {
+    double local[3] = {};
+    for (uint32_t i = 0; i < 3; ++i)
+        for (uint32_t k = 0; k < 3; ++k) local[i] += axes_[i][k] * (x[k] - centre_[k]);
+    double flat[2], flat_second[4];
+    const bool derives = gradient != nullptr || second != nullptr;
+    const double a = polygon_.evaluate(local, derives ? flat : nullptr, second != nullptr ? flat_second : nullptr),
+                 b = std::abs(local[2]) - half_height_, up = local[2] < 0 ? -1 : 1;
+    const bool off_rim = a > 0 && b > 0;
+    const double value = off_rim ? std::hypot(a, b) : std::max(a, b);
+    if (!derives) return value;
+    // Shares of a and b.
+    const double beside = off_rim ? a / value : a >= b ? 1 : 0, over = off_rim ? b / value : a >= b ? 0 : 1;
+    const double g[3] = {beside * flat[0], beside * flat[1], over * up};
+    double h[9] = {};
+    for (uint32_t i = 0; i < 2 && second != nullptr; ++i)
+        for (uint32_t j = 0; j < 2; ++j) h[3 * i + j] = beside * flat_second[2 * i + j];
+    if (off_rim && second != nullptr) {
+        const double side[3] = {flat[0], flat[1], 0}, top[3] = {0, 0, up};
+        for (uint32_t i = 0; i < 3; ++i)
+            for (uint32_t j = 0; j < 3; ++j)
+                h[3 * i + j] += (side[i] * side[j] + top[i] * top[j] - g[i] * g[j]) / value;
+    }
+    for (uint32_t k = 0; k < 3; ++k) {
+        if (gradient != nullptr) gradient[k] = axes_[0][k] * g[0] + axes_[1][k] * g[1] + axes_[2][k] * g[2];
+        for (uint32_t l = 0; l < 3 && second != nullptr; ++l) {
+            second[3 * k + l] = 0;
+            for (uint32_t i = 0; i < 3; ++i)
+                for (uint32_t j = 0; j < 3; ++j) second[3 * k + l] += axes_[i][k] * h[3 * i + j] * axes_[j][l];
+        }
+    }
+    return value;
+}
+
+void PrismObstacle::draw(double clearance, Wires& wires) const {
+    class Raised final : public Wires {
+    public:
+        Raised(const PrismObstacle& of, double half, Wires& to) : of_(of), half_(half), to_(to) {}
+        void line(const Place& a, const Place& b) override {
+            to_.line(at(a, half_), at(b, half_));
+            to_.line(at(a, -half_), at(b, -half_));
+            to_.line(at(a, -half_), at(a, half_));
+        }
+
+    private:
+        Place at(const Place& flat, double height) const {
+            Place out = of_.centre_;
+            for (uint32_t k = 0; k < 3; ++k)
+                out[k] += flat[0] * of_.axes_[0][k] + flat[1] * of_.axes_[1][k] + height * of_.axes_[2][k];
+            return out;
+        }
+        const PrismObstacle& of_;
+        double half_;
+        Wires& to_;
+    };
+    Raised raised(*this, half_height_ + clearance, wires);
+    polygon_.draw(clearance, raised);
 }
 
 }  // namespace flg

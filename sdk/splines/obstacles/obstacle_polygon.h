@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A simple polygon, convex or not, as an obstacle of the plane. The nearest point is looked for among all edges; the
-// side follows from the edge or corner that it lies on.
+// A simple polygon, convex or not, as an obstacle of the plane, and the upright prism over it as one of space. The
+// nearest point is looked for among all edges; the side follows from the edge or corner that it lies on.
 #pragma once
 
 #include "splines/obstacles/obstacle.h"
@@ -35,6 +35,22 @@ private:
 
     std::pmr::vector<Vertex> vertices_;  // counter-clockwise
     std::pmr::vector<Run> runs_;
+};
+
+class PrismObstacle final : public Obstacle {
+public:
+    // The polygon lies in the plane of the first two axes through the centre, its places relative to that; the prism
+    // reaches half_height > 0 to either side of it. axes: three rows, orthonormal to 1e-6; null: those of the
+    // coordinates. Throws a Failure: as above.
+    PrismObstacle(PolygonObstacle polygon, const double* centre, const double* axes, double half_height);
+    double evaluate(const double* x, double* gradient, double* second) const override;
+    void draw(double clearance, Wires& wires) const override;
+
+private:
+    PolygonObstacle polygon_;
+    Place centre_{};
+    std::array<Place, max_dimension> axes_{};
+    double half_height_;
 };
 
 }  // namespace flg

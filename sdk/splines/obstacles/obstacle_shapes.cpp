@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/failure.h"
 #include "core/vec.h"
@@ -239,6 +240,50 @@ double CapsuleObstacle::evaluate(const double* x, double* gradient, double* seco
 
 void CapsuleObstacle::draw(double clearance, Wires& wires) const {
     draw_capsule(dimension(), from_, along_, length_, radius_ + clearance, wires);
+}
+
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double core_of_half_space = 1e30;  // metres below the boundary: no way turns around it
+constexpr double drawn_half = 5;             // metres
+
+}  // namespace
+
+HalfSpaceObstacle::HalfSpaceObstacle(uint32_t dimension, const double* through, const double* outwards)
+    : Obstacle(checked(dimension), {{-endless, -endless, -endless}, {endless, endless, endless}}, false, endless),
+      through_(checked_place("through", dimension, through)),
+      outwards_(checked_place("direction outwards", dimension, outwards)) {
+    const double length = checked_size("length of the direction outwards", std::sqrt(dot(outwards_, outwards_)));
+    Place core{};
+    for (uint32_t k = 0; k < dimension; ++k) {
+        outwards_[k] /= length;
+        core[k] = through_[k] - core_of_half_space * outwards_[k];
+    }
+    set_core(core);
+}
+
+double HalfSpaceObstacle::evaluate(const double* x, double* gradient, double* second) const {
+    const uint32_t d = dimension();
+    double value = 0;
+    for (uint32_t k = 0; k < d; ++k) value += (x[k] - through_[k]) * outwards_[k];
+    if (gradient != nullptr) std::copy_n(outwards_.begin(), d, gradient);
+    if (second != nullptr) std::fill_n(second, d * d, 0.0);
+    return value;
+}
+
+void HalfSpaceObstacle::draw(double clearance, Wires& wires) const {
+    const Vec3 out(outwards_.data()), middle = Vec3(through_.data()) + clearance * out;
+    const Vec3 u = dimension() == 2 ? Vec3::UnitZ().cross(out) : out.unitOrthogonal(), v = out.cross(u);
+    const auto at = [&](double along, double beside) -> Place {
+        const Vec3 x = middle + drawn_half * (along * u + beside * v);
+        return {x.x(), x.y(), x.z()};
+    };
+    if (dimension() == 2) return wires.line(at(-1, 0), at(1, 0));
+    wires.line(at(-1, -1), at(1, -1));
+    wires.line(at(1, -1), at(1, 1));
+    wires.line(at(1, 1), at(-1, 1));
+    wires.line(at(-1, 1), at(-1, -1));
 }
 
 FunctionObstacle::FunctionObstacle(uint32_t dimension, const Function& function, const Box& box, bool bounded,

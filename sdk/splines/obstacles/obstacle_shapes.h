@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Obstacles with a distance in closed form, in the plane and in space: balls (discs), boxes, capsules; and a host's
-// own. Constructors throw a Failure where a number is not finite or a size not positive.
+// Obstacles with a distance in closed form, in the plane and in space: balls (discs), boxes, capsules, half-spaces; and
+// a host's own. Constructors throw a Failure where a number is not finite or a size not positive.
 #pragma once
 
 #include "splines/obstacles/obstacle.h"
@@ -43,6 +43,19 @@ public:
 private:
     Place from_{}, along_{};  // the unit vector along it; 0 if it has no length
     double length_ = 0, radius_;
+};
+
+// All that lies on one side of a plane; in the plane, of a line. Its box is without end.
+class HalfSpaceObstacle final : public Obstacle {
+public:
+    // through: a place of the boundary. outwards: of any length but 0.
+    HalfSpaceObstacle(uint32_t dimension, const double* through, const double* outwards);
+    double evaluate(const double* x, double* gradient, double* second) const override;
+    // A square of the boundary around `through`, in the plane a piece of the line.
+    void draw(double clearance, Wires& wires) const override;
+
+private:
+    Place through_{}, outwards_{};  // a unit vector
 };
 
 // A host's function: positive outside, nowhere more than the distance, and with a gradient that is not 0 within `reach`

@@ -40,10 +40,18 @@ PlacedObstacle::PlacedObstacle(const Obstacle& obstacle, const Vec3& shift)
     set_core(moved(obstacle.core(), shift));
 }
 
-double PlacedObstacle::evaluate(const double* x, double* gradient, double* second) const {
-    double own[max_dimension];
+Obstacle::Place PlacedObstacle::moved_back(const double* x) const {
+    Place own{};
     for (uint32_t c = 0; c < dimension(); ++c) own[c] = x[c] - shift_[c];
-    return obstacle_.evaluate(own, gradient, second);
+    return own;
+}
+
+double PlacedObstacle::evaluate(const double* x, double* gradient, double* second) const {
+    return obstacle_.evaluate(moved_back(x).data(), gradient, second);
+}
+
+double PlacedObstacle::evaluate_exactly(const double* x, double* gradient, double* second) const {
+    return obstacle_.evaluate_exactly(moved_back(x).data(), gradient, second);
 }
 
 PlacedObstacles::PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, double more_clearance,
@@ -79,7 +87,8 @@ Task<void> make_obstacles(Pace& pace, std::shared_ptr<Obstacles> out) {
         if (is_layer) {
             out->solids[mesh.at] = make_shared_in<LayerObstacle>(pace.memory(), *distance, mesh.layer);
         } else {
-            out->solids[mesh.at] = make_shared_in<MeshObstacle>(pace.memory(), *distance);
+            TriangleSolid triangles = co_await triangle_solid(pace, mesh.surface->mesh());
+            out->solids[mesh.at] = make_shared_in<MeshObstacle>(pace.memory(), *distance, std::move(triangles));
         }
         out->distances.push_back(std::move(distance));
     }

@@ -44,8 +44,11 @@ class PlacedObstacle final : public Obstacle {
 public:
     PlacedObstacle(const Obstacle& obstacle, const Vec3& shift);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    double evaluate_exactly(const double* x, double* gradient, double* second) const override;
 
 private:
+    Place moved_back(const double* x) const;
+
     const Obstacle& obstacle_;
     Vec3 shift_;
 };

@@ -10,148 +10,6 @@ namespace flg {
 
 namespace {
 
-// Rounds until the moments of both ends agree: each divides what is missing by 4 at least.
-constexpr uint32_t end_rounds = 30;
-
-void apply(const double* matrix, const double* vector, uint32_t n, double* out) {
-    for (uint32_t i = 0; i < n; ++i) {
-        double sum = 0;
-        for (uint32_t j = 0; j < n; ++j) sum += matrix[i * n + j] * vector[j];
-        out[i] = sum;
-    }
-}
-
-}  // namespace
-
-Moments::Moments(uint32_t nodes, uint32_t ambient, bool closed, double tension, Memory* memory)
-    : nodes_(nodes),
-      ambient_(ambient),
-      intervals_(closed ? nodes : nodes - 1),
-      closed_(closed),
-      stiffness_(std::sqrt(tension)),
-      steps_(intervals_, memory),
-      pieces_(tension > 0 ? intervals_ : 0, memory),
-      inverse_(intervals_, memory),
-      upper_(intervals_, memory),
-      from_first_(intervals_, memory),
-      from_last_(intervals_, memory),
-      inner_(intervals_, ambient, memory) {}
-
-// Thomas's algorithm: down the rows, then up.
-Task<void> Moments::factorize(Pace& pace, Moments& m) {
-    const uint32_t inner = m.intervals_ - 1;
-    co_await each(pace, m.pieces_.size(), Cost::tens_of_ns,
-                  [&m](uint32_t i) { m.pieces_[i] = cubic_piece(m.steps_[i], m.stiffness(i)); });
-    co_await each(pace, 1, m.intervals_, Cost::tens_of_ns, [&m, inner](uint32_t i) {
-        const double before = m.across(i - 1), after = m.across(i);
-        const double pivot = m.row(i) - (i > 1 ? before * m.upper_[i - 1] : 0);
-        m.inverse_[i] = 1 / pivot;
-        m.upper_[i] = after / pivot;
-        m.from_first_[i] = (i > 1 ? -before * m.from_first_[i - 1] : before) / pivot;
-        m.from_last_[i] = i == inner ? after / pivot : 0;
-    });
-    co_await each(pace, 1, inner, Cost::tens_of_ns, [&m, inner](uint32_t k) {
-        const uint32_t i = inner - k;
-        m.from_first_[i] -= m.upper_[i] * m.from_first_[i + 1];
-        m.from_last_[i] -= m.upper_[i] * m.from_last_[i + 1];
-    });
-}
-
-double Moments::row(uint32_t node) const {
-    if (pieces_.empty()) return (step_before(node) + step_after(node)) / 3;
-    const bool first = !closed_ && node == 0, last = node == intervals_;
-    const double before = first ? 0 : pieces_[node == 0 ? intervals_ - 1 : node - 1].own;
-    return before + (last ? 0 : pieces_[node].own);
-}
-
-void Moments::bend(uint32_t node, const double* points, double* out) const {
-    const uint32_t n = ambient_;
-    const double* const x = points + size_t{node} * n;
-    const bool first = !closed_ && node == 0, last = !closed_ && node + 1 == nodes_;
-    const double* const before = points + size_t{node == 0 ? nodes_ - 1 : node - 1} * n;
-    const double* const after = points + size_t{node + 1 == nodes_ ? 0 : node + 1} * n;
-    const double to_next = last ? 0 : 1 / step_after(node), to_previous = first ? 0 : 1 / step_before(node);
-    for (uint32_t c = 0; c < n; ++c) {
-        const double slope_after = last ? ends_[1].slope[c] : (after[c] - x[c]) * to_next;
-        const double slope_before = first ? ends_[0].slope[c] : (x[c] - before[c]) * to_previous;
-        out[c] = slope_after - slope_before;
-    }
-}
-
-Task<void> Moments::solve(Pace& pace, Moments& m, const double* points, double* moments) {
-    const uint32_t inner = m.intervals_ - 1, n = m.ambient_;
-    co_await each(pace, 1, m.intervals_, Cost::tens_of_ns, [&m, n, points](uint32_t i) {
-        double* const y = m.inner_.make(i);
-        m.bend(i, points, y);
-        const double* const last = i > 1 ? m.inner_[i - 1] : y;
-        for (uint32_t c = 0; c < n; ++c) y[c] = (y[c] - (i > 1 ? m.across(i - 1) * last[c] : 0)) * m.inverse_[i];
-    });
-    co_await each(pace, 1, inner, Cost::tens_of_ns, [&m, n, inner](uint32_t k) {
-        const uint32_t i = inner - k;
-        double* const y = m.inner_[i];
-        const double* const next = m.inner_[i + 1];
-        for (uint32_t c = 0; c < n; ++c) y[c] -= m.upper_[i] * next[c];
-    });
-    m.solve_ends(points);
-    co_await each(pace, m.nodes_, Cost::tens_of_ns,
-                  [&m, n, moments](uint32_t i) { m.moment(i, moments + size_t{i} * n); });
-}
-
-// The first and the last row, with what lies between put in; closed curves have one row there, as both are one node.
-void Moments::solve_ends(const double* points) {
-    const uint32_t inner = intervals_ - 1, n = ambient_;
-    const double first_step = across(0), last_step = across(inner);
-    double first[Manifold::max_ambient], last[Manifold::max_ambient];
-    bend(0, points, first);
-    if (!closed_) bend(nodes_ - 1, points, last);
-    double own_first = row(0), own_last = row(closed_ ? 0 : nodes_ - 1), coupled = -first_step;
-    if (inner > 0) {
-        double* const to_last = closed_ ? first : last;
-        for (uint32_t c = 0; c < n; ++c) first[c] -= first_step * inner_[1][c];
-        for (uint32_t c = 0; c < n; ++c) to_last[c] -= last_step * inner_[inner][c];
-        own_first -= first_step * from_first_[1];
-        own_last -= last_step * from_last_[inner];
-        coupled = first_step * from_last_[1];
-    }
-    double* const at_first = end_moments_[0];
-    double* const at_last = end_moments_[1];
-    if (closed_) {
-        const double own = own_first + own_last - row(0) - 2 * coupled;
-        for (uint32_t c = 0; c < n; ++c) at_first[c] = at_last[c] = first[c] / own;
-        return;
-    }
-    std::fill_n(at_first, n, 0.0);
-    std::fill_n(at_last, n, 0.0);
-    double sum[Manifold::max_ambient];
-    for (uint32_t round = 0; round < end_rounds; ++round) {
-        for (uint32_t c = 0; c < n; ++c) sum[c] = (first[c] + coupled * at_last[c]) / own_first;
-        apply(ends_[0].normals, sum, n, at_first);
-        for (uint32_t c = 0; c < n; ++c) sum[c] = (last[c] + coupled * at_first[c]) / own_last;
-        apply(ends_[1].normals, sum, n, at_last);
-    }
-}
-
-void Moments::moment(uint32_t node, double* out) const {
-    const uint32_t n = ambient_;
-    if (node == 0 || node == intervals_) {
-        std::copy_n(end_moments_[node != 0], n, out);
-        return;
-    }
-    const double* const y = inner_[node];
-    for (uint32_t c = 0; c < n; ++c) {
-        out[c] = y[c] - from_first_[node] * end_moments_[0][c] - from_last_[node] * end_moments_[1][c];
-    }
-}
-
-double Moments::energy(uint32_t node, const double* points, const double* moment) const {
-    double change[Manifold::max_ambient], sum = 0;
-    bend(node, points, change);
-    for (uint32_t c = 0; c < ambient_; ++c) sum += moment[c] * change[c];
-    return sum;
-}
-
-namespace {
-
 using Vector = double[Manifold::max_ambient];
 
 constexpr double armijo = 1e-4;        // the share of what the slope promises that a step must bring
@@ -169,20 +27,9 @@ constexpr double epsilon = 0x1p-52;
 // About 4 us on slow manifolds, and 2.
 constexpr uint32_t projection_work = 3, frame_work = 2;
 
-// Of the size: what is not farther from the border is at it.
-constexpr double at_border = 1e-8, least_step = 1e-11;
-constexpr double min_rate = 0.1;        // less, and the border is no wall for the manifold
-constexpr uint32_t confine_rounds = 8;  // of going to the border and onto the manifold
-constexpr uint32_t max_presses = 12;    // solves of a round until it is known which nodes the border keeps
-constexpr uint32_t tried_shrinks = 6;   // of that step, before only those are pressed that are at the border
-constexpr double least_force = 1e-9;    // of the mean one: less is none
-
-// With the basis of a place near it: of the border of parts that face the same way.
-bool look_at_border(const MeshBorder& border, const double* x, const double* basis, uint32_t n, BorderView& out) {
-    if (!basis || n != 3) return border.look(Vec3(x), nullptr, out);
-    const Vec3 normal = Vec3(basis).cross(Vec3(basis + 3));
-    return border.look(Vec3(x), &normal, out);
-}
+constexpr uint32_t max_presses = 12;   // solves of a round until it is known which nodes the border keeps
+constexpr uint32_t tried_shrinks = 6;  // of that step, before only those are pressed that are at the border
+constexpr double least_force = 1e-9;   // of the mean one: less is none
 
 uint32_t block_size(const SplineProblem& problem) {
     return (problem.bending > 0 ? problem.manifold->ambient() : 0) + problem.manifold->dimension();
@@ -254,7 +101,7 @@ SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
       shift_(nodes_, k_, memory),
       knot_of_(nodes_, memory),
       is_held_(nodes_, memory),
-      walls_(problem.border ? nodes_ : 0, memory),
+      walls_(*problem.manifold, problem.border, problem.within, nodes_, memory),
       base_(problem.border ? size_t{nodes_} * n_ : 0, memory),
       lengths_(problem.knots.size(), memory),
       spans_(problem.knots.size(), memory),
@@ -474,7 +321,7 @@ bool SplineOptimizer::needs_parameters() const {
 bool SplineOptimizer::is_over() {
     if (tension_ == problem_.tension && report_.residual <= problem_.tolerance) {
         report_.ending = SplineEnding::converged;
-    } else if (report_.rounds >= problem_.max_rounds) {
+    } else if (report_.rounds >= problem_.max_rounds || report_.projections >= problem_.max_projections) {
         report_.ending = SplineEnding::rounds;
     }
     return report_.ending != SplineEnding::running;
@@ -553,7 +400,7 @@ void SplineOptimizer::project_first(uint32_t node) {
     double* const x = at(now_, node);
     if (!is_free(node)) std::copy_n(&problem_.given[size_t{knot_of_[node]} * n_], n_, x);
     const bool is_on = problem_.manifold->project(x, hint_of(now_, node));
-    if (!is_on || (is_free(node) && !confine(x, hint_of(now_, node), nullptr))) {
+    if (!is_on || (is_free(node) && !walls_.confine(x, hint_of(now_, node), nullptr))) {
         if (projects_) report_.failed_node = node;
         projects_ = false;
     }
@@ -675,78 +522,15 @@ void SplineOptimizer::find_frame(uint32_t node) {
     if (has_border() && walls_[node].pressed == 1) form[0] += walls_[node].curvature * inner_product(g, basis + n_, n_);
 }
 
-// Which way the border is, and whether the node is pressed against it.
 void SplineOptimizer::find_wall(uint32_t node) {
-    Wall& wall = walls_[node];
-    wall = {};
+    walls_[node] = {};
     if (!is_free(node)) return;
-    const double* const basis = basis_of(node);
-    BorderView view;
-    if (!look_at_border(*problem_.border, at(now_, node), basis, n_, view)) return;
-    wall.away = view.inside - problem_.within;
-    const bool is_there = wall.away <= at_border * problem_.manifold->size();
-    if (is_there && view.at_vertex) {
-        const Vec3 force = -Vec3(gradient_[node]);
-        const double in_first = force.dot(view.inwards_of[0]), in_second = force.dot(view.inwards_of[1]);
-        // Inwards, of both edges at a corner that points out, of one at another.
-        if (view.points_in ? in_first > 0 || in_second > 0 : in_first > 0 && in_second > 0) return;
-        const double along_first = force.dot(view.ways[0]), along_second = force.dot(view.ways[1]);
-        if (along_first <= 0 && along_second <= 0) {
-            wall.pressed = wall.began = 2;
-            ++report_.pressed;
-            return;
-        }
-        view.inwards = view.inwards_of[along_first < along_second];
-    }
-    face_wall(node, view);
-    if (!wall.is_near || !is_there || !(inner_product(gradient_[node], basis + n_, n_) > 0)) return;
-    wall.pressed = wall.began = 1;
-    ++report_.pressed;
-}
-
-// Turns the basis until its second vector points inwards.
-void SplineOptimizer::face_wall(uint32_t node, const BorderView& view) {
-    Wall& wall = walls_[node];
-    double* const basis = basis_[node];
-    const double u = view.inwards.dot(Vec3(basis)), v = view.inwards.dot(Vec3(basis + n_)), rate = std::hypot(u, v);
-    if (!(rate > min_rate)) return;
-    wall.is_near = true;
-    wall.rate = rate;
-    wall.curvature = view.curvature;
-    for (uint32_t c = 0; c < n_; ++c) {
-        const double first = basis[c], second = basis[n_ + c];
-        basis[c] = (v * first - u * second) / rate;
-        basis[n_ + c] = (u * first + v * second) / rate;
-    }
-}
-
-// Puts a point beyond the border onto it, and onto the manifold. `basis`: of a place near it, or null.
-bool SplineOptimizer::confine(double* x, double* hint, const double* basis) const {
-    if (!has_border()) return true;
-    BorderView view;
-    for (uint32_t round = 0; round < confine_rounds; ++round) {
-        if (!look_at_border(*problem_.border, x, basis, n_, view)) return true;
-        const double by = problem_.within - view.inside;
-        if (by <= least_step * problem_.manifold->size()) return true;
-        // Along the manifold, until it is there.
-        double own[Manifold::max_dimension * Manifold::max_ambient];
-        problem_.manifold->tangent_basis(x, hint, own);
-        const double u = view.inwards.dot(Vec3(own)), v = view.inwards.dot(Vec3(own + n_)), square = u * u + v * v;
-        if (!(square > min_rate * min_rate)) return true;
-        for (uint32_t c = 0; c < n_; ++c) x[c] += by / square * (u * own[c] + v * own[n_ + c]);
-        if (!problem_.manifold->project(x, hint)) return false;
-    }
-    return true;
-}
-
-// Where the step takes a pressed node across the border's way.
-double SplineOptimizer::push_at_wall(uint32_t node) const {
-    const Wall& wall = walls_[node];
-    return wall.pressed == 1 ? -wall.away / wall.rate : 0;
+    walls_.find(node, at(now_, node), gradient_[node], basis_[node]);
+    if (walls_[node].pressed != 0) ++report_.pressed;
 }
 
 void SplineOptimizer::find_base(uint32_t node) {
-    const double push = push_at_wall(node);
+    const double push = walls_.push(node);
     const double* const x = at(now_, node);
     double* const base = &base_[size_t{node} * n_];
     std::copy_n(x, n_, base);
@@ -755,10 +539,10 @@ void SplineOptimizer::find_base(uint32_t node) {
 
 // Whether it is pressed or let go.
 bool SplineOptimizer::press_node(uint32_t node) {
-    Wall& wall = walls_[node];
+    BorderWalls::Wall& wall = walls_[node];
     if (!is_free(node) || !wall.is_near || wall.pressed == 2) return false;
     if (wall.pressed == 0) {
-        if (wall.away + wall.rate * shift_[node][1] >= -at_border * problem_.manifold->size()) return false;
+        if (!walls_.is_passed(node, shift_[node][1])) return false;
         wall.pressed = 1;
         return true;
     }
@@ -792,7 +576,7 @@ bool SplineOptimizer::press_node(uint32_t node) {
 // Of what bending does not say, at the base.
 double SplineOptimizer::force_along(uint32_t node, uint32_t a, const double* direction) const {
     const double* const x = &base_[size_t{node} * n_];
-    double force = push_at_wall(node) * form_[node][a * k_ + 1];
+    double force = walls_.push(node) * form_[node][a * k_ + 1];
     const auto add = [&](uint32_t other, double weight) {
         const double* const y = &base_[size_t{other} * n_];
         for (uint32_t c = 0; c < n_; ++c) force += weight * direction[c] * (x[c] - y[c]);
@@ -906,7 +690,7 @@ void SplineOptimizer::find_shift(uint32_t node) {
     double* const shift = shift_.make(node);
     double square = 0;
     for (uint32_t a = 0; a < k_; ++a) {
-        shift[a] = is_free(node, a) ? solution[a] : has_border() && is_free(node) && a == 1 ? push_at_wall(node) : 0;
+        shift[a] = is_free(node, a) ? solution[a] : has_border() && is_free(node) && a == 1 ? walls_.push(node) : 0;
         square += shift[a] * shift[a];
         slope_ += shift[a] * inner_product(gradient_[node], basis_of(node) + a * n_, n_);
     }
@@ -922,8 +706,8 @@ void SplineOptimizer::move(uint32_t node) {
         const double by = step_ * shift_[node][a];
         for (uint32_t c = 0; c < n_; ++c) to[c] += by * basis_of(node)[a * n_ + c];
     }
-    if (is_free(node) &&
-        (!problem_.manifold->project(to, hint_of(trial_, node)) || !confine(to, hint_of(trial_, node), basis_of(node))))
+    if (is_free(node) && (!problem_.manifold->project(to, hint_of(trial_, node)) ||
+                          !walls_.confine(to, hint_of(trial_, node), basis_of(node))))
         projects_ = false;
     const auto keeps = [&](uint32_t first) {
         const uint32_t second = next(first);

@@ -128,7 +128,7 @@ namespace Filigree
         /// Starts a job that makes obstacles (sec. 5); splines may be requested before it is done. Refuses sizes that
         /// are not positive, polygons that cross themselves, and axes that are not orthonormal; the message names the
         /// obstacle. The job fails for meshes that contain nothing, layers thinner than 4 cells, and surfaces without
-        /// borders. Cost: of meshes 100 to 500 ns a cell of their grid.
+        /// borders. Cost: of meshes 100 to 500 ns a cell of their grid, and of closed ones 200 ns a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgObstaclesCreate(
@@ -190,11 +190,25 @@ namespace Filigree
         /// <summary>
         /// Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in
         /// R^3, NORMAL. Stylize it in the surface's frame (FlgFrameMethod.Supplied), draw it, project it, or cut along
-        /// it. Cost: about 3 ns a node.
+        /// it. Cost: about 3 ns a node; with a spacing 300 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineSample(
             FlgContext context, FlgSplineSampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSplineRibbonDescInit(FlgSplineRibbonDesc* desc, uint struct_size);
+
+        /// <summary>
+        /// Starts a job that makes a ribbon or road along a spline: a new surface with the spline's origin and columns
+        /// POSITION, NORMAL, UV (u across from left to right, v along) and WIDTH (of the row, metres). On the inner
+        /// side of a bend tighter than it is wide rows end before they would cross their neighbours, so WIDTH is less
+        /// there. A closed ribbon's last row repeats the first, for the texture. Cost: about 0.5 us a vertex; 3 us a
+        /// row that conforms. Fails with FlgResult.ErrorLimit above 2^26 vertices or 2^20 rows.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSplineRibbon(
+            FlgContext context, FlgSplineRibbonDesc* desc, FlgSurface* out_surface, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
@@ -287,6 +301,13 @@ namespace Filigree
         {
             FlgSplineSampleDesc made;
             flgSplineSampleDescInit(&made, (uint)sizeof(FlgSplineSampleDesc));
+            return made;
+        }
+
+        public static FlgSplineRibbonDesc flgSplineRibbonDefaults()
+        {
+            FlgSplineRibbonDesc made;
+            flgSplineRibbonDescInit(&made, (uint)sizeof(FlgSplineRibbonDesc));
             return made;
         }
 

@@ -213,20 +213,25 @@ namespace Filigree
         public FlgObstacleKind kind;
         public FlgSurface surface;
         /// <summary>
-        /// grid cells along the longest side, 8 to 192; a layer is at least 4 of them thick. Default 64
+        /// grid cells along the longest side, 8 to 192: through them the curve is found. A layer is at least 4 of them
+        /// thick. Default 64
         /// </summary>
         public uint cells;
         /// <summary>3 to 256</summary>
         public uint point_count;
-        /// <summary>of balls, boxes, capsules, and the box around a function</summary>
+        /// <summary>
+        /// of balls, boxes, capsules, half-spaces, and the box around a function; in space what a polygon's points are
+        /// relative to
+        /// </summary>
         public fixed double centre[3];
-        /// <summary>half the box's sides, above 0</summary>
+        /// <summary>half the box's sides, above 0; of a prism the last: half its height</summary>
         public fixed double half[3];
         /// <summary>
-        /// rows: the box's axes, orthonormal to 1e-6; in the plane the first two numbers of the first two rows
+        /// rows: the box's axes, orthonormal to 1e-6; in the plane the first two numbers of the first two rows. A
+        /// prism's polygon lies along the first two, its height along the third
         /// </summary>
         public fixed double axes[9];
-        /// <summary>a capsule's other end</summary>
+        /// <summary>a capsule's other end; of a half-space, any length but 0</summary>
         public fixed double to[3];
         /// <summary>above 0</summary>
         public double radius;
@@ -403,7 +408,12 @@ namespace Filigree
         /// </summary>
         public FlgSplineHandle* handles;
         public uint handle_count;
-        public uint reserved;
+        /// <summary>
+        /// nonzero, with a warm_start: also minimizes from a new initial curve, and takes that where its energy is more
+        /// than 5 % lower; the view says so. Takes as long as without the warm_start besides. Refused together with
+        /// obstacles or `curve`. Default 0
+        /// </summary>
+        public uint seek_lower;
         /// <summary>
         /// one per point: its own `smoothing`, from 0 (passes through) to 1e30. Refused together with obstacles.
         /// Default null: `smoothing` for all
@@ -418,6 +428,13 @@ namespace Filigree
         /// metres; above 0: the view also gives the curve as few cubic pieces, at most so far from it. Default 0: none
         /// </summary>
         public double key_tolerance;
+        /// <summary>
+        /// among obstacles: how often nodes are put onto the manifold at most, in all, 1 to 2 us each: bounds the time,
+        /// and is the same on every machine. Used up, the result is the best curve so far that keeps clear
+        /// (FlgSplineEnding.Evaluations); the job fails if there is none. Fewer than some 20 a node leave none. 0: no
+        /// bound. Default 150000
+        /// </summary>
+        public ulong max_evaluations;
     }
 
     public unsafe partial struct FlgSplineView
@@ -489,7 +506,11 @@ namespace Filigree
         /// point. There is a key at each given point; a closed curve's last key is its first again.
         /// </summary>
         public uint key_count;
-        public uint reserved;
+        /// <summary>
+        /// nonzero: with seek_lower, the curve is not that which goes on from the warm_start, but another one of lower
+        /// energy
+        /// </summary>
+        public uint jumped;
         /// <summary>ascending; a closed curve's with handles begin at the first one</summary>
         public double* key_parameters;
         /// <summary>n per key</summary>
@@ -524,5 +545,46 @@ namespace Filigree
         public FlgJobOptions* job;
         /// <summary>in R^3</summary>
         public FlgSpline spline;
+        /// <summary>
+        /// metres between points, evenly along the curve: rounded so that it fits the length a whole number of times.
+        /// 0: points are nodes. Default 0
+        /// </summary>
+        public double spacing;
+    }
+
+    public unsafe partial struct FlgSplineRibbonDesc
+    {
+        public uint struct_size;
+        /// <summary>quads across, 1 to 256. Default 4</summary>
+        public uint columns;
+        public FlgJobOptions* job;
+        /// <summary>in R^3</summary>
+        public FlgSpline spline;
+        /// <summary>metres, above 0. Default 1</summary>
+        public double width;
+        /// <summary>metres between rows, as of FlgSplineSampleDesc. 0: a row at each node. Default 0</summary>
+        public double spacing;
+        /// <summary>metres above where it lies, along its own normals. Default 0</summary>
+        public double height;
+        /// <summary>
+        /// metres: it leans into bends by the angle whose tangent is the curvature times this, which is the square of a
+        /// speed over 9.81. For ribbons that do not conform. Default 0: none
+        /// </summary>
+        public double bank;
+        /// <summary>
+        /// metres of the curve for a texture once; rounded so that it fits around a closed one. 0: the width. Default 0
+        /// </summary>
+        public double texture_length;
+        /// <summary>
+        /// rows are level, across this direction; 0: across the surface's normals. Needed by curves in free space. For
+        /// ribbons that do not conform. Default 0
+        /// </summary>
+        public fixed double up[3];
+        /// <summary>
+        /// nonzero: rows lie on the triangles of the spline's mesh, and end at its border. Between its vertices the
+        /// ribbon is straight, so the mesh may stand above it a little: `height` lifts it. Default 0: rows are straight
+        /// </summary>
+        public uint conforms;
+        public uint reserved;
     }
 }

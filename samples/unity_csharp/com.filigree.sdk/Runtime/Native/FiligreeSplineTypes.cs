@@ -42,11 +42,13 @@ namespace Filigree
         Box = 1,
         /// <summary>FLG_OBSTACLE_KIND_CAPSULE: everything within `radius` of the segment from centre to `to`</summary>
         Capsule = 2,
-        /// <summary>FLG_OBSTACLE_KIND_POLYGON: plane only: points</summary>
+        /// <summary>FLG_OBSTACLE_KIND_POLYGON: points; in space the prism over it: centre, axes, half[2]</summary>
         Polygon = 3,
         /// <summary>FLG_OBSTACLE_KIND_FUNCTION: defined by the host</summary>
         Function = 4,
-        /// <summary>FLG_OBSTACLE_KIND_MESH: space only: a closed surface, to half a cell of a grid of `cells`</summary>
+        /// <summary>
+        /// FLG_OBSTACLE_KIND_MESH: space only: a closed surface, kept clear of exactly; `cells` as below
+        /// </summary>
         Mesh = 5,
         /// <summary>
         /// FLG_OBSTACLE_KIND_LAYER: space only: everything farther than `radius` from an open surface: curves stay in a
@@ -60,6 +62,11 @@ namespace Filigree
         /// distance at most. Beside others it is a wall like them, which rounds corners by about an edge
         /// </summary>
         Border = 7,
+        /// <summary>
+        /// FLG_OBSTACLE_KIND_HALF_SPACE: all on one side of a plane (in the plane, of a line): centre, on the boundary,
+        /// and `to`, the direction out of the solid
+        /// </summary>
+        HalfSpace = 8,
     }
 
     /// <summary>The energy a curve minimizes.</summary>
@@ -110,6 +117,11 @@ namespace Filigree
         /// can't be reached somewhere. Nodes lie on triangles, given points at the nearest points of these
         /// </summary>
         Triangles = 5,
+        /// <summary>
+        /// FLG_SPLINE_ENDING_EVALUATIONS: max_evaluations were used up: the best curve so far that keeps clear of all
+        /// obstacles, perhaps farther away than it has to
+        /// </summary>
+        Evaluations = 7,
     }
 
     /// <summary>A surface of dimension k in R^n that curves stay on. Never changes once ready.</summary>

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "splines/obstacles/triangle_solid.h"
+
+#include <cmath>
+
+#include "surfaces/mesh/spatial_order.h"
+
+namespace flg {
+
+TriangleSolid::Nearest TriangleSolid::nearest(const double* x, double below) const {
+    Nearest found{below, no_index, {}};
+    double square = below * below;
+    const Vec3 place(x);
+    tree_.nearest(x, square, [&](uint32_t first, uint32_t end) {
+        for (uint32_t t = first; t < end; ++t) {
+            const TriangleFoot foot = triangle_foot(place, corner(t, 0), corner(t, 1), corner(t, 2));
+            const double own = foot.to.squaredNorm();
+            if (!(own < square)) continue;
+            square = own;
+            found = {0, t, foot};
+        }
+    });
+    if (found.triangle != no_index) found.away = std::sqrt(square);
+    return found;
+}
+
+bool TriangleSolid::holds(const double* x) const {
+    const Vec3 place(x);
+    uint32_t votes = 0;
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        const int along = static_cast<int>(axis);
+        int turns = 0;
+        tree_.along(x, axis, [&](uint32_t first, uint32_t end) {
+            for (uint32_t t = first; t < end; ++t) {
+                const Vec3 corners[] = {corner(t, 0), corner(t, 1), corner(t, 2)};
+                double at = 0;
+                const int own = crossing_of_line(corners, place, along, &at);
+                if (own != 0 && at > place[along]) turns += own;
+            }
+        });
+        votes += turns != 0 ? 1 : 0;
+    }
+    return votes >= 2;
+}
+
+Vec3 TriangleSolid::normal(uint32_t triangle) const {
+    const Vec3 a = corner(triangle, 0);
+    return (corner(triangle, 1) - a).cross(corner(triangle, 2) - a).normalized();
+}
+
+Vec3 TriangleSolid::way(uint32_t triangle, uint32_t k) const {
+    return (corner(triangle, (k + 1) % 3) - corner(triangle, k)).normalized();
+}
+
+Task<TriangleSolid> triangle_solid(Pace& pace, const Mesh& mesh) {
+    const uint32_t count = mesh.triangle_count();
+    GrowingBuffer<Position> middles(count, pace.memory());
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t t) {
+        const Triple& of = mesh.triangles[t];
+        store_vec3((mesh.position(of[0]) + mesh.position(of[1]) + mesh.position(of[2])) / 3, middles[t].data());
+    });
+    const SpatialOrder order = co_await spatial_order(pace, middles);
+    TriangleSolid out;
+    out.corners_ = Buffer<float>(size_t{9} * count, pace.memory());
+    float* const corners = out.corners_.data();
+    co_await each(pace, count, Cost::tens_of_ns, [&, corners](uint32_t i) {
+        const Triple& of = mesh.triangles[order.vertex_at(i)];
+        for (uint32_t k = 0; k < 3; ++k) store_vec3(mesh.position(of[k]), corners + size_t{9} * i + 3 * k);
+    });
+    const auto ball = [corners](uint32_t i, double* centre, double& radius) {
+        const float* const own = corners + size_t{9} * i;
+        double square = 0;
+        for (size_t c = 0; c < 3; ++c) {
+            const auto [low, high] = std::minmax({double{own[c]}, double{own[3 + c]}, double{own[6 + c]}});
+            centre[c] = 0.5 * (low + high);
+            square += 0.25 * (high - low) * (high - low);
+        }
+        radius = std::sqrt(square);
+    };
+    PointTree tree = co_await point_tree(pace, count, ball);
+    out.tree_ = std::move(tree);
+    co_return out;
+}
+
+}  // namespace flg
