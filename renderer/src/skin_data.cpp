@@ -89,16 +89,17 @@ void mark_other_parts(SurfaceData& data, const FlgSkinView& skin, const SurfaceL
         const uint32_t own = parts[1] == parts[2] ? parts[1] : parts[0];  // as triangle_parts() has it
         const auto other = std::ranges::find_if(parts, [&](uint32_t part) { return part != own; });
         if (other == std::end(parts)) continue;
-        const uint32_t other_color = packed_color(look.regions[*other % look.regions.size()].color);
+        const glm::vec3 other_color = look.regions[*other % look.regions.size()].color;
         for (int k = 0; k < 3; ++k) {
             const uint32_t from = corners[k];
             SurfaceVertex vertex = data.vertices[from];
-            vertex.other_color = other_color;
+            const uint32_t source = from < skin.vertex_count ? from : data.copied[from - skin.vertex_count];
+            vertex.other_color = packed_color(other_color * vertex_color(look, source));
             if (parts[k] != own) vertex.material &= ~own_part;
             if (data.positions.size() == max_vertices)
                 fail("The skin has more than %u vertices, those between parts counted once a triangle.", max_vertices);
             corners[k] = static_cast<uint32_t>(data.positions.size());
-            data.copied.push_back(from < skin.vertex_count ? from : data.copied[from - skin.vertex_count]);
+            data.copied.push_back(source);
             data.positions.push_back(glm::vec3(data.positions[from]));
             data.vertices.push_back(vertex);
         }

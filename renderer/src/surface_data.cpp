@@ -51,12 +51,13 @@ void check_mesh(const FlgMeshView& mesh) {
 
 struct PackedMaterial {
     uint32_t color;
+    glm::vec3 linear_color;
     uint32_t metallic_and_roughness;
 };
 
 PackedMaterial pack_material(const Material& material) {
     const auto byte = [](float share) { return static_cast<uint32_t>(255.0f * share + 0.5f); };
-    return {packed_color(material.color), byte(material.metallic) | byte(material.roughness) << 8};
+    return {packed_color(material.color), material.color, byte(material.metallic) | byte(material.roughness) << 8};
 }
 
 class Builder {
@@ -75,6 +76,7 @@ public:
     SurfaceData build() {
         read_positions();
         read_field();
+        check_vertex_colors();
         SplitVertices split = split_regions();
         if (!look_.textures.empty() && !look_.corner_uvs.empty()) {
             split_uvs(split);
@@ -129,6 +131,17 @@ private:
         data_.has_field = true;
         data_.field_low = found ? low : look_.field_low;
         data_.field_high = found ? high : look_.field_high;
+    }
+
+    void check_vertex_colors() const {
+        const std::span<const float> colors = look_.vertex_colors;
+        if (colors.empty()) return;
+        if (colors.size() != 4 * size_t{mesh_.vertex_count})
+            fail("The look has %zu vertex colours' numbers; %u vertices take %zu.", colors.size(), mesh_.vertex_count,
+                 4 * size_t{mesh_.vertex_count});
+        for (size_t i = 0; i < colors.size(); ++i)
+            if (!(colors[i] >= 0.0f && colors[i] <= 1.0f))
+                fail("The colour of vertex %zu has a %g; it must be 0 to 1.", i / 4, colors[i]);
     }
 
     SplitVertices split_regions() {
@@ -216,7 +229,7 @@ private:
                                  0.5f * width_px});
     }
 
-    bool has_own_colors() const { return look_.regions.empty() && color_; }
+    bool has_own_colors() const { return look_.regions.empty() && look_.vertex_colors.empty() && color_; }
 
     // Normals and colours that the mesh has, of its vertices.
     void write_columns_of_view() {
@@ -238,7 +251,10 @@ private:
         SurfaceVertex& vertex = data_.vertices[index];
         vertex = data_.vertices[source];
         const PackedMaterial& material = materials_[label % materials_.size()];
-        if (!has_own_colors()) vertex.color = material.color;
+        if (!has_own_colors())
+            vertex.color = look_.vertex_colors.empty()
+                               ? material.color
+                               : packed_color(material.linear_color * vertex_color(look_, source));
         const bool known = data_.has_field && !std::isinf(field_[source]);
         vertex.material = material.metallic_and_roughness | (known ? field_known : 0) | own_part;
         vertex.field = known ? field_[source] : 0.0f;
@@ -255,6 +271,12 @@ private:
 };
 
 }  // namespace
+
+glm::vec3 vertex_color(const SurfaceLook& look, uint32_t vertex) {
+    if (look.vertex_colors.empty()) return glm::vec3(1.0f);
+    const float* const rgb = look.vertex_colors.data() + 4 * size_t{vertex};
+    return {rgb[0], rgb[1], rgb[2]};
+}
 
 SurfaceData prepare_surface(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     check_look(look);

@@ -51,6 +51,9 @@ struct SurfaceData {
     float field_low = 0.0f, field_high = 0.0f;  // what the colour map spans
 };
 
+// What the look has a vertex' material times; white without colours of vertices.
+glm::vec3 vertex_color(const SurfaceLook& look, uint32_t vertex);
+
 // Throws Error for a mesh, a look or a field that can't be used. `field`: one value a vertex, or empty.
 SurfaceData prepare_surface(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field);
 

@@ -40,13 +40,16 @@ void read_key(const JsonPlace& key, PullScriptHandle& handle) {
     handle.positions.insert(handle.positions.end(), point.begin(), point.end());
 }
 
-PullScriptHandle read_handle(const JsonPlace& place) {
-    place.allow({"at", "compliance", "keys"});
+// `radius`: unless it has its own.
+PullScriptHandle read_handle(const JsonPlace& place, double radius) {
+    place.allow({"at", "compliance", "radius", "keys"});
     PullScriptHandle handle;
     const JsonPlace at = place.at("at");
     handle.place = at.path();
     handle.at = read_point(at);
     if (const auto compliance = place.find("compliance")) handle.compliance = compliance->real(0, largest);
+    if (const auto own = place.find("radius")) radius = own->real(0, largest);
+    handle.radius = radius;
     const JsonPlace keys = place.at("keys");
     for (const JsonPlace& key : keys.items()) read_key(key, handle);
     if (handle.times.empty()) keys.fail("is empty: a handle needs at least one key");
@@ -70,7 +73,7 @@ double PullScript::end() const {
 PullScript read_pull_script(const std::string& path) {
     const nlohmann::json json = JsonPlace::read(path);
     const JsonPlace root(json, path);
-    root.allow({"name", "motion", "rate", "rounds", "tolerance", "pins", "handles"});
+    root.allow({"name", "motion", "rate", "rounds", "tolerance", "radius", "pins", "handles"});
     PullScript script;
     script.subject = path;
     if (const auto place = root.find("name")) script.name = place->text();
@@ -79,8 +82,10 @@ PullScript read_pull_script(const std::string& path) {
     if (const auto place = root.find("rate")) script.rate = place->real(1, 240);
     if (const auto place = root.find("rounds")) script.rounds = place->count(1, 1000);
     if (const auto place = root.find("tolerance")) script.tolerance = place->real(0, 1);
+    double radius = -1;
+    if (const auto place = root.find("radius")) radius = place->real(0, largest);
     const JsonPlace handles = root.at("handles");
-    for (const JsonPlace& place : handles.items()) script.handles.push_back(read_handle(place));
+    for (const JsonPlace& place : handles.items()) script.handles.push_back(read_handle(place, radius));
     if (script.handles.empty()) handles.fail("is empty: nothing is pulled");
     const double begin = script.begin();
     if (const auto pins = root.find("pins")) {
@@ -89,6 +94,7 @@ PullScript read_pull_script(const std::string& path) {
             pin.place = place.path();
             pin.at = read_point(place);
             pin.moves = true;
+            pin.radius = radius;
             pin.times = {begin};
             pin.positions = {0, 0, 0};
             script.handles.push_back(std::move(pin));

@@ -21,6 +21,7 @@ constexpr double min_edge_weight = 1e-3;
 constexpr double soft = 0.25;
 constexpr double min_radius = 0.5;   // of the lattice's spacing: bones without one
 constexpr double min_spread = 1;     // by the lattice's spacing: over some edges, however thin the shape is
+constexpr double edge_share = 0.75;  // of the longest edge at a vertex: weights change by about a third along it
 constexpr double pivot_share = 0.6;  // of the distance to a joint, by the reach
 constexpr double fading = 0.7;       // of that distance, by the way from where regions meet
 constexpr double cut_off = 0.005;    // weights below it become 0, others are less by it
@@ -349,7 +350,8 @@ Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig,
     const size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
     const Groups corners =
         co_await group_by(pace, 3 * triangles, vertices, [&](uint32_t i) { return mesh.triangles[i / 3][i % 3]; });
-    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) { all.spread[v] = 0; });
+    Buffer<double> longest(vertices, pace.memory());
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) { all.spread[v] = longest[v] = 0; });
     struct Entry {
         double distance;
         uint32_t vertex;
@@ -368,6 +370,9 @@ Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig,
         const Pivots::Between between = pivots.between(a, b, mesh.positions[v]);
         offer(v, between.farthest);
         offer(w, between.farthest);
+        const double length = (mesh.positions[w] - mesh.positions[v]).norm();
+        longest[v] = std::max(longest[v], length);
+        longest[w] = std::max(longest[w], length);
         return 1 + between.count;
     });
     Slice slice(Cost::tens_of_ns);
@@ -382,8 +387,8 @@ Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig,
         }
     }
     co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
-        const double length =
-            std::max({reach * all.radius[v], reach * pivot_share * all.spread[v], min_spread * mesh.spacing});
+        const double length = std::max({reach * all.radius[v], reach * pivot_share * all.spread[v],
+                                        min_spread * mesh.spacing, edge_share * longest[v]});
         all.spread[v] = length * length;
     });
 }

@@ -14,7 +14,7 @@
 // How far: sqrt(T). A joint that turns moves what is at a distance d from it by d times the angle, so the surface
 // stretches by that times the slope of the weights, which is at most about 1 / (4 sqrt(T)). So wherever regions of
 // bones meet, sqrt(T) is a share of the distance to the farthest joint that moves one and not the other, and less
-// farther off. It is at least a share of the radius of the shape, and of the length of edges.
+// farther off. It is at least a share of the radius of the shape, and of the longest edge at the vertex.
 #pragma once
 
 #include <array>

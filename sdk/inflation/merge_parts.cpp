@@ -367,17 +367,15 @@ namespace {
 
 // Of a mesh that was cut.
 Task<BoneWeights> carried(Pace& pace, const BoneWeights& weights, std::span<const BorderOrigin> origins) {
-    const size_t inner = weights.weights.size(), all = inner + origins.size();
+    const size_t all = origins.size();
     BoneWeights out{Buffer<VertexJoints>(all, pace.memory()), Buffer<VertexWeights>(all, pace.memory())};
     co_await each(pace, all, Cost::tens_of_ns, [&](uint32_t v) {
-        const bool is_new = v >= inner;
-        const uint32_t first = is_new ? origins[v - inner].vertices[0] : v;
-        out.joints[v] = weights.joints[first];
-        out.weights[v] = weights.weights[first];
-        if (!is_new) return;
-        const auto& [of, shares] = origins[v - inner];
-        mix_weights(out.joints[v], out.weights[v], weights.joints[of[1]], weights.weights[of[1]],
-                    shares[1] / (shares[0] + shares[1]));
+        const auto& [of, shares] = origins[v];
+        out.joints[v] = weights.joints[of[0]];
+        out.weights[v] = weights.weights[of[0]];
+        if (shares[1] > 0)
+            mix_weights(out.joints[v], out.weights[v], weights.joints[of[1]], weights.weights[of[1]],
+                        shares[1] / (shares[0] + shares[1]));
         if (shares[2] > 0)
             mix_weights(out.joints[v], out.weights[v], weights.joints[of[2]], weights.weights[of[2]], shares[2]);
     });

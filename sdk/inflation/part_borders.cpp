@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 
@@ -23,6 +24,26 @@ constexpr double near_enough = 0.02 * border_tolerance;
 constexpr double max_step = 0.3, max_way = 0.5;  // from the edge, by the spacing
 constexpr double landing = 0.8;                  // of the tolerance: what is farther off is put onto the surface
 constexpr double least_det = 0.02;               // sine squared between the surface and where parts are alike
+
+// Shares of a triangle's corners in its point nearest to `p` (Ericson: Real-time collision detection, 2005, 5.1.5).
+std::array<double, 3> nearest_shares(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+        const double share = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0, 1 - share, share};
+    }
+    const double sum = va + vb + vc;
+    return {va / sum, vb / sum, vc / sum};
+}
 
 // Which parts a point belongs to: those that meet there.
 struct Owners {
@@ -52,6 +73,7 @@ struct BorderCut {
     BorderCut(const PartUnion& of_parts, UnionMesh of_mesh, Memory* memory)
         : parts(of_parts),
           mesh(of_mesh),
+          rest(of_mesh.positions.size(), memory),
           owners(of_mesh.positions.size(), memory),
           first_corner(of_mesh.positions.size(), memory),
           nearest(of_mesh.positions.size(), memory),
@@ -59,6 +81,7 @@ struct BorderCut {
           points(memory),
           point_owners(memory),
           point_samples(memory),
+          origins(of_mesh.positions.size(), memory),
           point_origins(memory),
           centres(memory) {}
 
@@ -67,6 +90,8 @@ struct BorderCut {
         own.add(mesh.samples[vertex].part);
         owners[vertex] = own;
         nearest[vertex] = Crossing();
+        std::construct_at(&rest[vertex], mesh.positions[vertex]);
+        origins[vertex] = {{vertex, vertex, vertex}, {1, 0, 0}};
     }
 
     // Where along an edge between vertices of different parts these are alike; none where they are so all along.
@@ -147,29 +172,59 @@ struct BorderCut {
         if (*share < near_share && distance < nearest[a].distance) nearest[a] = {distance, b};
     }
 
-    // Whether triangles around a vertex stay what they are when it moves, and none lies along the border with all of
-    // its corners.
-    bool may_move(uint32_t vertex, const Vec3& to, const Owners& then) const {
+    // Calls visit(triangle, place of the vertex in it) all around a vertex.
+    template <class Visit>
+    void around(uint32_t vertex, const Visit& visit) const {
         uint32_t corner = first_corner[vertex];
         do {
             const uint32_t triangle = corner / 3, k = corner % 3;
-            const TriangleVertices& t = mesh.triangles[triangle];
-            const uint32_t b = t[(k + 1) % 3], c = t[(k + 2) % 3];
-            const Vec3 &pb = mesh.positions[b], &pc = mesh.positions[c];
-            const Vec3 before = (pb - mesh.positions[vertex]).cross(pc - mesh.positions[vertex]);
-            const Vec3 after = (pb - to).cross(pc - to);
-            if (after.dot(before) < min_turn * after.norm() * before.norm()) return false;
-            const double longest =
-                std::max({(pb - to).squaredNorm(), (pc - to).squaredNorm(), (pb - pc).squaredNorm()});
-            if (after.norm() < min_breadth * longest) return false;
-            if (owners[b].count > 1 && owners[c].count > 1 && owners[b].shares(then) && owners[c].shares(then))
-                return false;
-            // On around: across the side from here to b, which is opposite to c.
+            visit(triangle, k);
+            // Across the side from here to the next corner, which is opposite to the one before.
             const uint32_t next = mesh.across[triangle][(k + 2) % 3];
             const TriangleVertices& n = mesh.triangles[next];
             corner = 3 * next + (n[0] == vertex ? 0 : n[1] == vertex ? 1 : 2);
         } while (corner != first_corner[vertex]);
-        return true;
+    }
+
+    // Where a point is, on the triangles around some vertices as they were.
+    BorderOrigin origin_of(const Vec3& at, std::initializer_list<uint32_t> beside) const {
+        BorderOrigin found{};
+        double least = HUGE_VAL;
+        for (const uint32_t vertex : beside)
+            around(vertex, [&](uint32_t triangle, uint32_t) {
+                const TriangleVertices& t = mesh.triangles[triangle];
+                const std::array<double, 3> shares = nearest_shares(at, rest[t[0]], rest[t[1]], rest[t[2]]);
+                const double off =
+                    (shares[0] * rest[t[0]] + shares[1] * rest[t[1]] + shares[2] * rest[t[2]] - at).squaredNorm();
+                if (!(off < least)) return;
+                least = off;
+                found = {t, shares};
+            });
+        const auto largest = std::max_element(found.shares.begin(), found.shares.end()) - found.shares.begin();
+        std::swap(found.shares[0], found.shares[largest]);
+        std::swap(found.vertices[0], found.vertices[largest]);
+        return found;
+    }
+
+    // Whether triangles around a vertex stay what they are when it moves, and none lies along the border with all of
+    // its corners.
+    bool may_move(uint32_t vertex, const Vec3& to, const Owners& then) const {
+        bool may = true;
+        around(vertex, [&](uint32_t triangle, uint32_t k) {
+            const TriangleVertices& t = mesh.triangles[triangle];
+            const uint32_t b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+            const Vec3 &pb = mesh.positions[b], &pc = mesh.positions[c];
+            const Vec3 now = (pb - mesh.positions[vertex]).cross(pc - mesh.positions[vertex]);
+            const Vec3 after = (pb - to).cross(pc - to);
+            const double longest =
+                std::max({(pb - to).squaredNorm(), (pc - to).squaredNorm(), (pb - pc).squaredNorm()});
+            const bool turns = after.dot(now) < min_turn * after.norm() * now.norm();
+            const bool is_thin = after.norm() < min_breadth * longest;
+            const bool lies_along =
+                owners[b].count > 1 && owners[c].count > 1 && owners[b].shares(then) && owners[c].shares(then);
+            may = may && !turns && !is_thin && !lies_along;
+        });
+        return may;
     }
 
     void move(uint32_t vertex) {
@@ -186,6 +241,7 @@ struct BorderCut {
         then.add(q);
         if (!may_move(vertex, to, then)) return;
         at = to;
+        origins[vertex] = origin_of(to, {vertex});
         owners[vertex] = then;
         mesh.samples[vertex] = parts.sample(to);
         mesh.samples[vertex].part = p;
@@ -222,7 +278,7 @@ struct BorderCut {
         const Vec3 at = settled(on_edge, own.parts[0], own.parts[1], outwards);
         // Where the surface is not near, as between parts that barely touch, the border goes around the triangles.
         if (std::fabs(parts.sample(at).value) > border_tolerance * mesh.spacing) return;
-        cut[side] = cut[other_side] = add_point(at, own, {{a, b, a}, {1 - along, along, 0}});
+        cut[side] = cut[other_side] = add_point(at, own, origin_of(at, {a, b}));
     }
 
     uint32_t cuts_of(uint32_t triangle) const {
@@ -267,7 +323,7 @@ struct BorderCut {
         }
         const Vec3 centre = landed(middle, outwards);
         const bool is_near = std::fabs(parts.sample(centre).value) <= border_tolerance * mesh.spacing;
-        centres.push_back(is_near ? add_point(centre, own, {t, {1.0 / 3, 1.0 / 3, 1.0 / 3}}) : none);
+        centres.push_back(is_near ? add_point(centre, own, origin_of(centre, {t[0], t[1], t[2]})) : none);
         return is_near ? 6 : 4;
     }
 
@@ -312,6 +368,7 @@ struct BorderCut {
 
     const PartUnion& parts;
     UnionMesh mesh;
+    Buffer<Vec3> rest;
     Buffer<Owners> owners;
     Buffer<uint32_t> first_corner;
     Buffer<Crossing> nearest;
@@ -319,6 +376,7 @@ struct BorderCut {
     std::pmr::deque<Vec3> points;
     std::pmr::deque<Owners> point_owners;
     std::pmr::deque<PartUnion::Sample> point_samples;
+    Buffer<BorderOrigin> origins;
     std::pmr::deque<BorderOrigin> point_origins;
     Buffer<TriangleVertices>* out = nullptr;
     Buffer<uint32_t>* out_parts = nullptr;
@@ -343,7 +401,7 @@ Task<BorderedMesh> cut_at_borders(Pace& pace, const PartUnion& parts, UnionMesh 
     co_await each(pace, mesh.triangles.size(), Cost::tens_of_ns,
                   [&](uint32_t t) { triangles += cut.count_triangles(t); });
     const size_t all = vertices + cut.points.size();
-    BorderedMesh result{Buffer<Vec3>(all, memory), Buffer<BorderOrigin>(all - vertices, memory),
+    BorderedMesh result{Buffer<Vec3>(all, memory), Buffer<BorderOrigin>(all, memory),
                         Buffer<PartUnion::Sample>(all, memory), Buffer<TriangleVertices>(triangles, memory),
                         Buffer<uint32_t>(triangles, memory)};
     cut.out = &result.triangles;
@@ -351,7 +409,7 @@ Task<BorderedMesh> cut_at_borders(Pace& pace, const PartUnion& parts, UnionMesh 
     co_await each(pace, mesh.triangles.size(), Cost::hundreds_of_ns, [&](uint32_t t) { cut.cut_triangle(t); });
     co_await each(pace, all, Cost::tens_of_ns, [&](uint32_t v) {
         std::construct_at(&result.positions[v], cut.at(v));
-        if (v >= vertices) result.origins[v - vertices] = cut.point_origins[v - vertices];
+        result.origins[v] = v < vertices ? cut.origins[v] : cut.point_origins[v - vertices];
         std::construct_at(&result.samples[v], v < vertices ? mesh.samples[v] : cut.point_samples[v - vertices]);
     });
     co_return result;

@@ -32,15 +32,15 @@ struct UnionMesh {
     std::span<const uint8_t> is_fixed;     // by vertex: stays where it is
 };
 
-// What a vertex that was added lies between: vertices of the mesh, and how much of each.
+// Where a vertex lies in the mesh as it was: between these of its vertices, and how much of each.
 struct BorderOrigin {
     std::array<uint32_t, 3> vertices;
-    std::array<double, 3> shares;  // their sum is 1
+    std::array<double, 3> shares;  // their sum is 1; the first is the largest
 };
 
 struct BorderedMesh {
     Buffer<Vec3> positions;        // first those of the mesh, some of them moved
-    Buffer<BorderOrigin> origins;  // of those that follow
+    Buffer<BorderOrigin> origins;  // what a vertex carries over is that of where it is now
     Buffer<PartUnion::Sample> samples;
     Buffer<TriangleVertices> triangles;
     Buffer<uint32_t> triangle_parts;

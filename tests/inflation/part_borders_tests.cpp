@@ -67,13 +67,101 @@ TEST(PartBorders, FollowWhereBothPartsAreAlike) {
     }
 }
 
-// New vertices have the weights of their place between others; those that were there keep theirs.
+// Steepest weight along an edge.
+double slope_of(const MergedMesh& mesh, const BoneWeights& weights) {
+    const auto weight = [&](uint32_t v, uint32_t joint) {
+        double sum = 0;
+        for (uint32_t k = 0; k < 4; ++k)
+            if (weights.joints[v][k] == joint) sum += static_cast<double>(weights.weights[v][k]);
+        return sum;
+    };
+    double steepest = 0;
+    for (const TriangleVertices& t : mesh.triangles)
+        for (uint32_t side = 0; side < 3; ++side) {
+            const uint32_t a = t[side], b = t[(side + 1) % 3];
+            const double length = (mesh.positions[a] - mesh.positions[b]).norm();
+            for (const uint32_t joint : weights.joints[a])
+                steepest = std::max(steepest, std::fabs(weight(a, joint) - weight(b, joint)) / length);
+        }
+    return steepest;
+}
+
+// The point of a surface that is nearest to one, among eleven by eleven of each triangle that is near.
+Vec3 nearest_on(const std::vector<Vec3>& positions, const std::vector<TriangleVertices>& triangles, const Vec3& to,
+                double near) {
+    Vec3 best = positions[0];
+    for (const TriangleVertices& t : triangles) {
+        const Vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+        if ((a - to).norm() > near) continue;
+        for (int i = 0; i <= 10; ++i)
+            for (int k = 0; i + k <= 10; ++k) {
+                const Vec3 at = a + 0.1 * i * (b - a) + 0.1 * k * (c - a);
+                if ((at - to).squaredNorm() < (best - to).squaredNorm()) best = at;
+            }
+    }
+    return best;
+}
+
+// Vertices have the weights of the surface where they are, those too that were moved onto a border.
+TEST(PartBorders, WeightsStayWhereTheyAre) {
+    const Model model = animal();
+    EvenMesh even = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = 3000}); }, false);
+    const std::vector<Vec3> positions(even.mesh.positions.begin(), even.mesh.positions.end());
+    const std::vector<TriangleVertices> triangles(even.mesh.triangles.begin(), even.mesh.triangles.end());
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (const Vec3& p : positions) {
+            low = std::min(low, p[axis]);
+            high = std::max(high, p[axis]);
+        }
+        // Two joints, by one coordinate.
+        BoneWeights weights{Buffer<VertexJoints>(positions.size(), test_memory()),
+                            Buffer<VertexWeights>(positions.size(), test_memory())};
+        for (size_t v = 0; v < positions.size(); ++v) {
+            const double share = (positions[v][axis] - low) / (high - low);
+            const bool is_most = share >= 0.5;
+            weights.joints[v] = {uint16_t{is_most}, uint16_t{!is_most}, 0, 0};
+            weights.weights[v] = {static_cast<float>(is_most ? share : 1 - share),
+                                  static_cast<float>(is_most ? 1 - share : share), 0, 0};
+        }
+        EvenMesh again = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = 3000}); }, false);
+        const MergedMesh mesh = made([&](Pace& pace) { return cut_merged(pace, again, &weights); }, false);
+        size_t changed = 0, far = 0;
+        for (size_t v = 0; v < mesh.positions.size(); ++v) {
+            if (v < positions.size() && mesh.positions[v] == positions[v]) continue;
+            ++changed;
+            double at = low;
+            for (uint32_t k = 0; k < 2; ++k)
+                if (weights.joints[v][k] == 1) at += static_cast<double>(weights.weights[v][k]) * (high - low);
+            const Vec3 nearest = nearest_on(positions, triangles, mesh.positions[v], 3 * mesh.spacing);
+            far += std::fabs(at - nearest[axis]) > 0.15 * mesh.spacing;
+        }
+        EXPECT_GT(changed, 200u);
+        EXPECT_LE(far, changed / 50) << axis;
+    }
+}
+
+// So short edges beside a border have no steeper weights than others.
+TEST(PartBorders, WeightsAreNoSteeperBesideThem) {
+    const Model model = animal();
+    for (const uint32_t count : {3000u, 10000u}) {
+        EvenMesh even = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = count}); }, false);
+        BoneWeights weights = weights_of(even.mesh, model);
+        const double before = slope_of(even.mesh, weights);
+        const MergedMesh mesh = made([&](Pace& pace) { return cut_merged(pace, even, &weights); }, false);
+        EXPECT_LT(slope_of(mesh, weights), 1.5 * before) << count;
+    }
+}
+
+// Weights are sorted and sum to 1; where nothing moved they are as they were.
 TEST(PartBorders, CarryWeights) {
     const Model model = animal();
     EvenMesh even = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = 3000}); }, false);
     const BoneWeights before = weights_of(even.mesh, model);
     BoneWeights weights = weights_of(even.mesh, model);
+    const std::vector<Vec3> positions(even.mesh.positions.begin(), even.mesh.positions.end());
     const MergedMesh mesh = made([&](Pace& pace) { return cut_merged(pace, even, &weights); }, false);
+    size_t moved = 0;
     ASSERT_GT(mesh.positions.size(), before.weights.size() + 50);
     ASSERT_EQ(weights.weights.size(), mesh.positions.size());
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -82,8 +170,13 @@ TEST(PartBorders, CarryWeights) {
         EXPECT_NEAR(sum, 1, 1e-6);
         EXPECT_GE(weights.weights[v][0], weights.weights[v][1]);
     }
-    EXPECT_TRUE(std::equal(before.weights.begin(), before.weights.end(), weights.weights.begin()));
-    EXPECT_TRUE(std::equal(before.joints.begin(), before.joints.end(), weights.joints.begin()));
+    for (size_t v = 0; v < before.weights.size(); ++v) {
+        if (mesh.positions[v] != positions[v])
+            ++moved;
+        else
+            EXPECT_TRUE(before.weights[v] == weights.weights[v] && before.joints[v] == weights.joints[v]) << v;
+    }
+    EXPECT_GT(moved, 20u);
 }
 
 // In the plane between two balls: so the border is a circle, and its length that of one.

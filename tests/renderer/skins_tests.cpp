@@ -111,6 +111,38 @@ TEST_F(SkinsTest, RestIsThePlainSurface) {
     EXPECT_LE(most, 1);
 }
 
+// Colours of vertices are times those of materials: as a mesh with the products in its COLOR column, and as parts whose
+// materials have them.
+TEST_F(SkinsTest, VertexColorsAreTimesTheMaterials) {
+    TestSkin skin = small_cross();
+    const std::vector<float> rest = no_turns(skin.joint_count());
+    const glm::vec3 red(0.8f, 0.3f, 0.2f);
+    std::vector<float> colors;
+    Mesh mesh = deformed(skin, FLG_SKINNING_LINEAR, pose_of(skin, FLG_SKINNING_LINEAR, rest));
+    for (uint32_t v = 0; v < skin.vertex_count(); ++v) {
+        const glm::vec3 color(v % 3 == 0 ? 1.0f : 0.25f, 0.9f, 0.5f + 0.5f * std::sin(0.1f * static_cast<float>(v)));
+        colors.insert(colors.end(), {color.x, color.y, color.z, 1});
+        mesh.colors.emplace_back(red * color, 1.0f);
+    }
+    SurfaceLook look;
+    look.material.color = red;
+    const Image plain = of_mesh(mesh);
+    const Image without = of_mesh(deformed(skin, FLG_SKINNING_LINEAR, pose_of(skin, FLG_SKINNING_LINEAR, rest)), look);
+    EXPECT_GT(clearly_different(plain, without), 10000u);
+    look.vertex_colors = colors;
+    const SurfaceId id = renderer.upload(skin.view(), look);
+    EXPECT_LE(clearly_different(plain, picture(target_)), 0u);
+    // Of parts, too.
+    look.regions = {look.material, look.material};
+    renderer.update(id, skin.view(), look);
+    EXPECT_LE(clearly_different(plain, picture(target_)), 0u);
+    look.vertex_colors = {colors.data(), 4};
+    EXPECT_THROW(renderer.update(id, skin.view(), look), Error);
+    colors[7] = 1.5f;
+    look.vertex_colors = colors;
+    EXPECT_THROW(renderer.update(id, skin.view(), look), Error);
+}
+
 // Shadows on the sheet included, for skins of two shapes, before and after the pose changes.
 TEST_F(SkinsTest, PosesAreTheDeformedMesh) {
     for (TestSkin skin : {small_bar(), small_cross()}) {

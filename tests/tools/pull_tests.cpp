@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // filigree skeleton --pull: scripts of handles, played into morph targets.
 #include <cmath>
+#include <cstring>
 
 #include "cli_test.h"
 #include "filigree/filigree_io.h"
@@ -163,6 +164,55 @@ TEST_F(PullCommand, BonesMoveMeanwhile) {
     flgMeshFileRelease(mesh);
 }
 
+// Each shape reaches as far on each level, and one animation moves them all.
+TEST_F(PullCommand, LevelsOfDetailArePulledToo) {
+    done(with({"-o", "levels.glb", "--pull", "lift.json", "--lod", "300,100"}));
+    const std::string glb = folder.read("levels.glb");
+    uint32_t size = 0;
+    std::memcpy(&size, glb.data() + 12, sizeof size);
+    const Json json = Json::parse(glb.substr(20, size));
+    ASSERT_EQ(json.at("meshes").size(), 3u);
+    const auto moves = [&](size_t mesh) {
+        std::vector<Json> shapes;
+        for (const Json& target : json.at("meshes").at(mesh).at("primitives").at(0).at("targets"))
+            shapes.push_back(json.at("accessors").at(target.at("POSITION").get<size_t>()));
+        return shapes;
+    };
+    const std::vector<Json> finest = moves(0);
+    ASSERT_GE(finest.size(), 2u);
+    for (const size_t level : {1, 2}) {
+        const std::vector<Json> shapes = moves(level);
+        ASSERT_EQ(shapes.size(), finest.size());
+        for (size_t i = 0; i < shapes.size(); ++i) {
+            for (const char* end : {"min", "max"})
+                for (size_t k = 0; k < 3; ++k)
+                    EXPECT_NEAR(shapes[i].at(end).at(k), finest[i].at(end).at(k), 0.15) << level << ' ' << i;
+        }
+        EXPECT_EQ(json.at("meshes").at(level).at("extras"), json.at("meshes").at(0).at("extras"));
+    }
+    size_t moved = 0;
+    for (const Json& channel : json.at("animations").back().at("channels"))
+        moved += channel.at("target").at("path") == "weights";
+    EXPECT_EQ(moved, 3u);
+    const Pulled again((folder / "levels.glb").string());
+    EXPECT_EQ(again.info.warning_count, 0u);
+}
+
+// A point that is pulled hard takes what is around along.
+TEST_F(PullCommand, ARadiusSaysHowMuchIsPulledAt) {
+    std::vector<double> moved;
+    for (const char* radius : {"0", "0.4"}) {
+        folder.write("wide.json", std::string(R"({"radius": )") + radius +
+                                      R"(, "pins": [[0.1, 0.1, 0.1], [0.1, 0.9, 0.1], [3.9, 0.1, 0.1], [3.9, 0.9, 0.1]],
+            "handles": [{"at": [2, 0.5, 0.3],
+                         "keys": [{"time": 0, "move": [0, 0, 0]}, {"time": 0.5, "move": [0, 0, 1]}]}]})");
+        done(with({"-o", "wide.glb", "--pull", "wide.json"}));
+        const Pulled wide((folder / "wide.glb").string());
+        moved.push_back(wide.move(wide.key_at(0.5f), wide.near(2.25f, 0.5f, 0.3f))[2]);
+    }
+    EXPECT_GT(moved[1], moved[0] + 0.02);
+}
+
 TEST_F(PullCommand, MeshesArePulledToo) {
     done({"skeleton", "bar.poly.txt", "--vertices", "600", "-o", "bar.glb", "--quiet"});
     done({"skeleton", "--mesh", "bar.glb", "-o", "pulled.glb", "--pull", "lift.json", "--quiet"});
@@ -190,6 +240,7 @@ TEST_F(PullCommand, BadScriptsAreRefusedByPlaceAndValue) {
             {"handles[0].keys[0]: needs `position` or `move`"});
     refused(R"({"handles": [{"at": [4, 0.5, 0], "keys": [)" + key + R"(, {"time": 1, "move": [0, 0, 0]}]}]})",
             {"handles[0].keys[1]: all keys of a handle must be positions, or all moves"});
+    refused(R"({"radius": -2, "handles": [{"at": [4, 0.5, 0], "keys": [)" + key + "]}]}", {"radius: "});
     refused(R"({"motion": "dance", "handles": [{"at": [4, 0.5, 0], "keys": [)" + key + "]}]}",
             {"motion: the model has no motion 'dance'; it has test"});
     const std::vector<std::string> plain = {"skeleton", "bar.poly.txt", "-o", "a.glb"};
@@ -200,7 +251,6 @@ TEST_F(PullCommand, BadScriptsAreRefusedByPlaceAndValue) {
     usage({"--pulled", "a.ply"}, "--pulled: needs --pull");
     usage({"--pull", "lift.json", "--pulled-at", "1"}, "--pulled-at: needs --pulled");
     usage({"--pull", "lift.json", "--pulled", "a.txt"}, "--pulled: a.txt must end with");
-    usage({"--pull", "lift.json", "--lod", "300"}, "--lod");
     expect_refused(with({"--pull", "lift.json", "--pulled", "a.ply", "--pulled-at", "3"}), 1,
                    {"--pulled-at: 3 is not within 0 to 1"});
 }

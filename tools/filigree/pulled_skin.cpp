@@ -2,6 +2,9 @@
 // glTF moves vertices by morph targets first and by joints after that, by the mean of their matrices. So what was
 // pulled in a pose is taken back through that mean, vertex by vertex. Key frames are chosen one after the other, each
 // as late as the tolerance allows.
+//
+// A vertex of a level of detail moves as the surface does at the nearest vertex of its part that faces the same way, or
+// in a triangle beside that: so limbs that touch keep to their own.
 #include "pulled_skin.h"
 
 #include <algorithm>
@@ -9,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 
 #include "documents/failure.h"
 
@@ -23,7 +27,6 @@ constexpr uint32_t first_rounds = 4;        // times the rounds of the others: t
 constexpr size_t most_floats = size_t{1} << 29;
 
 using Point3 = std::array<double, 3>;
-
 Point3 point(const float* p) {
     return {double{p[0]}, double{p[1]}, double{p[2]}};
 }
@@ -94,6 +97,56 @@ double largest_difference(const std::vector<float>& a, const std::vector<float>&
     return std::sqrt(largest);
 }
 
+// Vertices by their places: halved along each axis in turn.
+class VertexTree {
+public:
+    explicit VertexTree(const FlgSkinView& skin) : skin_(skin), order_(skin.vertex_count) {
+        std::iota(order_.begin(), order_.end(), 0u);
+        split(0, order_.size(), 0);
+    }
+
+    // FLG_NO_INDEX: none is accepted.
+    template <class Accepts>
+    uint32_t nearest(const Point3& p, const Accepts& accepts) const {
+        Found found;
+        search(p, accepts, 0, order_.size(), 0, found);
+        return found.vertex;
+    }
+
+private:
+    struct Found {
+        uint32_t vertex = FLG_NO_INDEX;
+        double square = HUGE_VAL;
+    };
+    Point3 at(uint32_t vertex) const { return point(skin_.positions + 3 * size_t{vertex}); }
+
+    void split(size_t begin, size_t end, size_t axis) {
+        if (end - begin < 2) return;
+        const auto first = order_.begin(), middle = first + static_cast<std::ptrdiff_t>((begin + end) / 2);
+        std::nth_element(first + static_cast<std::ptrdiff_t>(begin), middle, first + static_cast<std::ptrdiff_t>(end),
+                         [&](uint32_t a, uint32_t b) { return std::pair(at(a)[axis], a) < std::pair(at(b)[axis], b); });
+        split(begin, (begin + end) / 2, (axis + 1) % 3);
+        split((begin + end) / 2 + 1, end, (axis + 1) % 3);
+    }
+
+    template <class Accepts>
+    void search(const Point3& p, const Accepts& accepts, size_t begin, size_t end, size_t axis, Found& found) const {
+        if (begin == end) return;
+        const size_t middle = (begin + end) / 2;
+        const Point3 off = minus(p, at(order_[middle]));
+        const double square = dot(off, off);
+        if (square < found.square && accepts(order_[middle])) found = {order_[middle], square};
+        const bool is_below = off[axis] < 0;
+        for (const bool below : {is_below, !is_below}) {
+            if (below != is_below && off[axis] * off[axis] >= found.square) continue;
+            search(p, accepts, below ? begin : middle + 1, below ? middle : end, (axis + 1) % 3, found);
+        }
+    }
+
+    const FlgSkinView& skin_;
+    std::vector<uint32_t> order_;
+};
+
 }  // namespace
 
 PulledSkin::PulledSkin(Session& session, const PullScript& script, const FlgSkinView& skin,
@@ -122,34 +175,44 @@ PulledSkin::PulledSkin(Session& session, const PullScript& script, const FlgSkin
     describe(report);
 }
 
+PulledSkin::Point PulledSkin::nearest_point(const Point3& at, std::span<const uint32_t> triangles,
+                                            double* distance) const {
+    double best = HUGE_VAL;
+    Point found{};
+    for (const uint32_t t : triangles) {
+        const uint32_t* c = skin_.triangles + 3 * size_t{t};
+        const std::array<Point3, 3> corners = {point(skin_.positions + 3 * size_t{c[0]}),
+                                               point(skin_.positions + 3 * size_t{c[1]}),
+                                               point(skin_.positions + 3 * size_t{c[2]})};
+        const std::array<double, 3> shares = nearest_shares(at, corners[0], corners[1], corners[2]);
+        Point3 off = at;
+        for (size_t k = 0; k < 3; ++k)
+            for (size_t axis = 0; axis < 3; ++axis) off[axis] -= shares[k] * corners[k][axis];
+        // Of triangles without area nothing is known.
+        if (!(dot(off, off) < best)) continue;
+        best = dot(off, off);
+        for (size_t k = 0; k < 3; ++k) {
+            found.vertices[k] = c[k];
+            found.shares[k] = static_cast<float>(shares[k]);
+        }
+    }
+    if (distance) *distance = std::sqrt(best);
+    return found;
+}
+
 void PulledSkin::find_points() {
+    std::vector<uint32_t> all(skin_.triangle_count);
+    std::iota(all.begin(), all.end(), 0u);
     for (const PullScriptHandle& handle : script_.handles) {
         const Point3 at = {handle.at[0] - skin_.origin[0], handle.at[1] - skin_.origin[1],
                            handle.at[2] - skin_.origin[2]};
-        double best = HUGE_VAL;
-        Point found{};
-        for (size_t t = 0; t < skin_.triangle_count; ++t) {
-            const uint32_t* c = skin_.triangles + 3 * t;
-            const std::array<Point3, 3> corners = {point(skin_.positions + 3 * size_t{c[0]}),
-                                                   point(skin_.positions + 3 * size_t{c[1]}),
-                                                   point(skin_.positions + 3 * size_t{c[2]})};
-            const std::array<double, 3> shares = nearest_shares(at, corners[0], corners[1], corners[2]);
-            Point3 off = at;
-            for (size_t k = 0; k < 3; ++k)
-                for (size_t axis = 0; axis < 3; ++axis) off[axis] -= shares[k] * corners[k][axis];
-            // Of triangles without area nothing is known.
-            if (!(dot(off, off) < best)) continue;
-            best = dot(off, off);
-            for (size_t k = 0; k < 3; ++k) {
-                found.vertices[k] = c[k];
-                found.shares[k] = static_cast<float>(shares[k]);
-            }
-        }
-        if (!(std::sqrt(best) <= farthest_share * size_)) {
+        double distance = 0;
+        const Point found = nearest_point(at, all, &distance);
+        if (!(distance <= farthest_share * size_)) {
             char text[200];
             std::snprintf(text, sizeof text,
                           ": (%.6g, %.6g, %.6g) is %.4g from the surface; at most %.4g, a tenth of the model's size",
-                          handle.at[0], handle.at[1], handle.at[2], std::sqrt(best), farthest_share * size_);
+                          handle.at[0], handle.at[1], handle.at[2], distance, farthest_share * size_);
             throw InputError(handle.place + text);
         }
         points_.push_back(found);
@@ -240,6 +303,7 @@ void PulledSkin::pull(Session& session, Report& report) {
             std::copy(points_[h].vertices.begin(), points_[h].vertices.end(), handles[h].vertices);
             std::copy(points_[h].shares.begin(), points_[h].shares.end(), handles[h].shares);
             handles[h].compliance = static_cast<float>(from.compliance);
+            handles[h].radius = static_cast<float>(from.radius);
             for (size_t i = 0; from.moves && i < 9; ++i)
                 handles[h].position[i % 3] +=
                     points_[h].shares[i / 3] * pose[3 * size_t{points_[h].vertices[i / 3]} + i % 3];
@@ -358,6 +422,36 @@ std::vector<FlgMorphTarget> PulledSkin::targets() const {
         targets[i].name = names_[i].c_str();
         targets[i].moves = moves_[targets_[i]].data();
     }
+    return targets;
+}
+
+std::vector<FlgMorphTarget> PulledSkin::targets_of(const std::vector<FlgSkinView>& levels) {
+    level_moves_.clear();
+    if (levels.empty()) return {};
+    const VertexTree tree(skin_);
+    std::vector<std::vector<uint32_t>> triangles_at(skin_.vertex_count);
+    for (size_t corner = 0; corner < 3 * size_t{skin_.triangle_count}; ++corner)
+        triangles_at[skin_.triangles[corner]].push_back(static_cast<uint32_t>(corner / 3));
+    for (const FlgSkinView& level : levels) {
+        const size_t first = level_moves_.size();
+        level_moves_.resize(first + targets_.size(), std::vector<float>(3 * size_t{level.vertex_count}));
+        for (size_t v = 0; v < level.vertex_count; ++v) {
+            const Point3 place = point(level.positions + 3 * v), normal = point(level.normals + 3 * v);
+            const auto is_alike = [&](uint32_t other) {
+                return dot(point(skin_.normals + 3 * size_t{other}), normal) > 0 &&
+                       (!skin_.vertex_parts || skin_.vertex_parts[other] == level.vertex_parts[v]);
+            };
+            uint32_t nearest = tree.nearest(place, is_alike);
+            if (nearest == FLG_NO_INDEX) nearest = tree.nearest(place, [](uint32_t) { return true; });
+            const Point at = nearest_point(place, triangles_at[nearest]);
+            for (size_t target = 0; target < targets_.size(); ++target)
+                for (size_t i = 0; i < 9; ++i)
+                    level_moves_[first + target][3 * v + i % 3] +=
+                        at.shares[i / 3] * moves_[targets_[target]][3 * size_t{at.vertices[i / 3]} + i % 3];
+        }
+    }
+    std::vector<FlgMorphTarget> targets(level_moves_.size(), flgMorphTargetDefaults());
+    for (size_t i = 0; i < targets.size(); ++i) targets[i].moves = level_moves_[i].data();
     return targets;
 }
 

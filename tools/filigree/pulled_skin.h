@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A skin pulled over time, as a script says: frame by frame, each from the one before; and as morph targets, one for
-// each frame that is needed so that shapes between two of them are near enough to what was pulled.
+// each frame that is needed so that shapes between two of them are near enough to what was pulled. Its levels of detail
+// move as it does where they are nearest to it.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ public:
     PulledSkin& operator=(const PulledSkin&) = delete;
 
     std::vector<FlgMorphTarget> targets() const;
+    // The same shapes of levels of detail, one level after the other. They live until it is called again.
+    std::vector<FlgMorphTarget> targets_of(const std::vector<FlgSkinView>& levels);
     // Of the script's name. Belongs to the animation `index` if the script names a motion.
     FlgMorphAnimation animation(uint32_t index) const;
     // The bones' motion meanwhile, frame by frame; null: they rest.
@@ -39,6 +43,9 @@ private:
         std::vector<float> times, rotations, translations;
     };
 
+    // In one of these triangles.
+    Point nearest_point(const std::array<double, 3>& at, std::span<const uint32_t> triangles,
+                        double* distance = nullptr) const;
     void find_points();
     void find_motion(const std::vector<FlgSkinAnimation>& animations);
     void pull(Session& session, Report& report);
@@ -55,10 +62,11 @@ private:
     std::vector<double> times_;
     Motion motion_;
     FlgSkinAnimation bones_ = flgSkinAnimationDefaults();
-    std::vector<std::vector<float>> moves_;  // by frame, 3 a vertex: before bones move it
-    std::vector<size_t> keys_;               // frames
-    std::vector<uint32_t> target_of_key_;    // FLG_NO_INDEX: at rest
-    std::vector<size_t> targets_;            // the frames that they are
+    std::vector<std::vector<float>> moves_;        // by frame, 3 a vertex: before bones move it
+    std::vector<size_t> keys_;                     // frames
+    std::vector<uint32_t> target_of_key_;          // FLG_NO_INDEX: at rest
+    std::vector<size_t> targets_;                  // the frames that they are
+    std::vector<std::vector<float>> level_moves_;  // level by level, by target
     std::vector<std::string> names_;
     std::vector<float> key_times_, weights_;
     double largest_error_ = 0, error_time_ = 0;

@@ -192,7 +192,8 @@ void RenderScene::upload_skins(render::Renderer& renderer) const {
         std::vector<render::Material> materials = materials_of(skin.file.materials());
         // Poses move no lines.
         for (render::Material& material : materials) material.border_width_px = 0.0f;
-        if (materials.empty() && skin.file.info().part_count > 1) {
+        const float* const colors = skin.file.info().vertex_colors;
+        if (materials.empty() && !colors && skin.file.info().part_count > 1) {
             look.regions = region_materials();
         } else if (materials.size() == 1) {
             look.material = materials[0];
@@ -200,6 +201,7 @@ void RenderScene::upload_skins(render::Renderer& renderer) const {
             look.regions = materials;
         }
         look.textures = textures_of(skin.file.textures(), skin.file.name());
+        if (colors) look.vertex_colors = {colors, 4 * size_t{skin.file.view().vertex_count}};
         renderer.set_pose(renderer.upload(morphed(skin.file, skin.pose), look), options_.pose.skinning,
                           skin.pose.transforms);
     }

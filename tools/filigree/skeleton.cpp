@@ -248,7 +248,7 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
     FlgSkinFileWriteDesc file = {};
     flgSkinFileWriteDescInit(&file, sizeof file);
     made.looks.describe(file);
-    std::vector<FlgMorphTarget> targets;
+    std::vector<FlgMorphTarget> targets, level_targets;
     FlgMorphAnimation shapes;
     if (pulled) {
         targets = pulled->targets();
@@ -256,6 +256,8 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
         if (pulled->bones()) animations.push_back(*pulled->bones());
         file.morphs = targets.data();
         file.morph_count = static_cast<uint32_t>(targets.size());
+        level_targets = pulled->targets_of(level_views);
+        if (!level_targets.empty()) file.level_morphs = level_targets.data();
         file.morph_animations = &shapes;
         file.morph_animation_count = 1;
     }
@@ -288,8 +290,6 @@ void run_skeleton(Options options, const CommonOptions& common) {
     if (options.pulled.empty() && options.pulled_at) throw UsageError("--pulled-at: needs --pulled");
     if (!options.pulled.empty() && !ends_with_one_of(options.pulled, {".ply", ".obj", ".off", ".glb"}))
         throw UsageError("--pulled: " + options.pulled + " must end with .ply, .obj, .off or .glb");
-    if (!options.pull.empty() && !options.levels.empty())
-        throw UsageError("--lod: levels of detail are not pulled; not together with --pull");
     if (options.mesh.empty() == options.contours.empty())
         throw UsageError("skeleton needs contours, or a mesh by --mesh, and not both");
     if (!options.output.empty() && !ends_with_one_of(options.output, {".glb"}))

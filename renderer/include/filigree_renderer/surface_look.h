@@ -44,6 +44,9 @@ struct SurfaceLook {
     // coarser levels of pictures are made then.
     std::vector<SurfaceTexture> textures{};
     std::span<const float> corner_uvs{};
+    // Times the materials' colours: 4 numbers a vertex, linear RGBA, 0 to 1 (the last does not count). Read by upload()
+    // and update(). With these a mesh's COLOR column does not count.
+    std::span<const float> vertex_colors{};
 
     // Whether the colour shows the field's values by field_color(); infinite values are grey.
     bool show_field = true;

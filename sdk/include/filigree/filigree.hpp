@@ -4363,9 +4363,9 @@ public:
     }
 
     /// The material of a region in a .gltf or .glb file, in an .obj file's `mtllib`, of a .ply file's textures, 0 to
-    /// the info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj
-    /// files metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until the file is
-    /// released.
+    /// the info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj and
+    /// .ply files metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until the
+    /// file is released.
     /// Calls flgMeshFileGetMaterial.
     Result<MeshMaterial> material(uint32_t material) const {
         FlgMeshMaterial out_material;

@@ -291,8 +291,9 @@ typedef struct FlgMeshMaterial {
 FLG_API FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint32_t struct_size);
 
 /* The material of a region in a .gltf or .glb file, in an .obj file's `mtllib`, of a .ply file's textures, 0 to the
- * info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj files metallic 0.
- * Lines are read only from this library's files: glTF has none. Its name lives until the file is released. */
+ * info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in .obj and .ply
+ * files metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until the file is
+ * released. */
 FLG_API FlgResult flgMeshFileGetMaterial(FlgMeshFile file, uint32_t material, FlgMeshMaterial* out_material);
 
 /* A texture of a material, 0 to the info's texture_count - 1. Its picture is not decoded; it lives until the file is

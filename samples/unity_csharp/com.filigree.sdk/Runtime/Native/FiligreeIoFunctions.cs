@@ -162,8 +162,8 @@ namespace Filigree
         /// <summary>
         /// The material of a region in a .gltf or .glb file, in an .obj file's `mtllib`, of a .ply file's textures, 0
         /// to the info's material_count - 1. Missing factors get glTF's defaults: white, metallic 1, roughness 1; in
-        /// .obj files metallic 0. Lines are read only from this library's files: glTF has none. Its name lives until
-        /// the file is released.
+        /// .obj and .ply files metallic 0. Lines are read only from this library's files: glTF has none. Its name lives
+        /// until the file is released.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetMaterial(
