@@ -2,6 +2,7 @@
 #include "tangles/tangle_displacement.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -20,12 +21,12 @@ namespace {
 // smoothed by: in metres, from the sharpest to what is gone.
 constexpr double rounded_distance = 0.06, smoothed_height = 0.5;
 constexpr uint32_t least_sweeps = 2, most_sweeps = 12;
-// Rounds in which heights are lowered where a triangle would turn over, and less beside it; in those that follow they
-// become 0.
-constexpr uint32_t lowering_rounds = 20, most_rounds = 60;
+// Rounds in which heights are lowered where a triangle would turn over, and less beside it.
+constexpr uint32_t most_rounds = 60;
 constexpr float lowered = 0.75f;
-// Of a triangle's area, that must be left seen from where it was.
-constexpr double upright_area = 0.02;
+// Of a triangle's area, that must be left seen from where it was. Slivers, and what lies on its side between smoothed
+// normals, are left alone: nobody sees them turn, but the pit they would make.
+constexpr double upright_area = 0.02, upright_normal = 0.5, sliver = 0.15;
 
 // Four values of a vertex.
 using Four = float __attribute__((vector_size(16)));
@@ -271,34 +272,43 @@ Task<Relief> make_relief(Pace& pace, Surface& surface, const LeafSet& leaves, co
     co_return relief;
 }
 
-// Lowers heights until no triangle turns by more than a right angle; what still would stays.
+// Lowers heights until no triangle turns over.
 Task<void> keep_upright(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const Relief& relief,
                         Buffer<float>& heights) {
-    const auto moved = [&](uint32_t vertex) {
-        const uint32_t i = relief.graph.place_of(vertex);
-        return Vec3(mesh.position(vertex) + double{heights[i]} * direction(relief.values[i]));
-    };
     Marks turned = co_await no_marks(pace, heights.size());
-    for (uint32_t round = 1; round <= most_rounds; ++round) {
+    for (uint32_t round = 0; round < most_rounds; ++round) {
         bool any = false;
         co_await each_within(pace, mesh, leaves, Cost::hundreds_of_ns, [&](uint32_t t) {
-            const Triple& corners = mesh.triangles[t];
-            const Vec3 origin = moved(corners[0]);
-            const Vec3 area = (moved(corners[1]) - origin).cross(moved(corners[2]) - origin);
-            const Vec3 own = vector_area(mesh, t);
-            if (area.dot(own) >= 2 * upright_area * own.squaredNorm()) return;
+            const std::array<uint32_t, 3> places = {relief.graph.place_of(mesh.triangles[t][0]),
+                                                    relief.graph.place_of(mesh.triangles[t][1]),
+                                                    relief.graph.place_of(mesh.triangles[t][2])};
+            std::array<Vec3, 3> moved;
+            Vec3 upwards = Vec3::Zero();
+            for (uint32_t k = 0; k < 3; ++k) {
+                const Vec3 normal = direction(relief.values[places[k]]);
+                upwards += normal;
+                moved[k] = mesh.position(mesh.triangles[t][k]) + double{heights[places[k]]} * normal;
+            }
+            const Vec3 own = 2 * vector_area(mesh, t), area = (moved[1] - moved[0]).cross(moved[2] - moved[0]);
+            if (area.dot(own) >= upright_area * own.squaredNorm()) return;
+            double longest = 0;  // edge, squared
+            for (uint32_t k = 0; k < 3; ++k) {
+                const Vec3 edge = mesh.position(mesh.triangles[t][k]) - mesh.position(mesh.triangles[t][(k + 1) % 3]);
+                longest = std::max(longest, edge.squaredNorm());
+            }
+            if (own.norm() < sliver * longest || own.dot(upwards) < upright_normal * own.norm() * upwards.norm())
+                return;
             any = true;
-            for (const uint32_t vertex : corners) turned.set(relief.graph.place_of(vertex));
+            for (const uint32_t place : places) turned.set(place);
         });
         if (!any) co_return;
-        const float factor = round > lowering_rounds ? 0.0f : lowered;
         co_await each(pace, heights.size(), Cost::tens_of_ns, [&](uint32_t i) {
             if (heights[i] == 0) return;
             float share = 0;  // of the neighbours that turned
             for (uint32_t n = relief.graph.offsets[i]; n < relief.graph.offsets[i + 1]; ++n) {
                 if (turned.has(relief.graph.neighbours[n].place)) share += relief.graph.neighbours[n].weight;
             }
-            heights[i] *= turned.has(i) ? factor : 1 - share * (1 - lowered);
+            heights[i] *= turned.has(i) ? lowered : 1 - share * (1 - lowered);
         });
         co_await each(pace, turned.words().size(), Cost::some_ns, [&](uint32_t w) { turned.words()[w] = 0; });
     }

@@ -130,8 +130,8 @@ FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t st
 /* Starts a job that divides regions by an operator. If it leaves them whole (delta beyond the field, no room for
  * samples, a line that does not separate), the step changes nothing. Fails if a region does not exist, if requested
  * borders do not exist, if streams have no line to start on, or above FLG_REGION_MAX regions. Cost: a field (40 ns a
- * triangle of the regions; with b two, with samples two more), the cut (flgSurfaceCutIsolines), and several passes
- * over the surface (2 million triangles: 40 to 60 ms, however small the regions). */
+ * triangle of the regions; with b two, with samples two more), and the cut (flgSurfaceCutIsolines). On 2 million
+ * triangles a region of 10,000 takes some 10 ms where many edges are flipped. */
 FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job);
 
 /* Common combinations of operators. */
@@ -174,8 +174,10 @@ FLG_API FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleApplyMa
 
 /* Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount` at
  * the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In between, the
- * height is a profile of the distance, by the bias and gain of Schlick (1994). Later distances are measured on the new
- * surface. */
+ * height is a profile of the distance, by the bias and gain of Schlick (1994). The ridges of the distance are rounded,
+ * by some percent of the largest one; normals are smoothed within the regions, over up to half of `amount`. Where a
+ * triangle that is no sliver would turn over, the height is lowered. (Parts of the surface that face each other may
+ * still meet.) Later distances are measured on the new surface. */
 typedef struct FlgTangleDisplaceDesc {
     uint32_t struct_size;
     float amount; /* metres, any finite number; default 0.1 */
@@ -191,7 +193,7 @@ typedef struct FlgTangleDisplaceDesc {
 
 FLG_API FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint32_t struct_size);
 
-/* Starts a job that displaces regions, as a step. Fails if they have no borders. Cost: a field and about 2 us a vertex
+/* Starts a job that displaces regions, as a step. Fails if they have no borders. Cost: a field and about 1 us a vertex
  * that moves. */
 FLG_API FlgResult flgTangleDisplace(FlgContext context, const FlgTangleDisplaceDesc* desc, FlgJob* out_job);
 

@@ -81,7 +81,7 @@ private:
 constexpr uint32_t max_cut_levels = 256;
 
 // `field`: the column (of one component) whose isolines these are; its values move by snapping. `edit` is a new one; if
-// this throws for want of memory, it takes back what was changed. 0.2 us for 64 triangles four times, and for each
+// this throws for want of memory, it takes back what was changed. 0.2 us for 64 triangles of the regions, and for each
 // crossed triangle four times. Memory while it runs: 16 bytes for 64 triangles, 56 bytes a crossed triangle.
 Task<void> embed_isolines(Pace& pace, Mesh& mesh, MeshColumns& columns, uint32_t field, CutLevels levels,
                           MeshEdit& edit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The metric of perturbed_metric.h for some regions, at the cost of these: with what distances are computed with. It has
-// the same bits there as that of the whole surface.
+// The metric of perturbed_metric.h for some regions, at the cost of these: with what distances are computed with. They
+// have the bits of those of the whole surface, but where flipped edges reach the regions' ends.
 #pragma once
 
 #include <array>

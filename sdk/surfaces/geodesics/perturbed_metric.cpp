@@ -136,20 +136,6 @@ Task<RegionRanks> mark_ranks(Pace& pace, const Mesh& mesh, const GeodesicBlocks&
 
 }  // namespace
 
-Task<GrowingBuffer<Position>> perturb_positions(Pace& pace, const Mesh& mesh, const Buffer<Position>& normals,
-                                                Perturbation perturbation) {
-    constexpr double most = std::numeric_limits<float>::max();
-    const double amount = perturbation.amount, frequency = perturbation.frequency;
-    GrowingBuffer<Position> positions(mesh.vertex_count(), pace.memory());
-    PerlinNoise noise(perturbation.seed);
-    co_await each(pace, mesh.vertex_count(), Cost::hundreds_of_ns, [&](uint32_t v) {
-        const Vec3 start = mesh.position(v);
-        const Vec3 moved = start + amount * noise(frequency * start) * load_vec3(normals[v].data());
-        store_vec3(moved.cwiseMax(-most).cwiseMin(most), positions[v].data());
-    });
-    co_return positions;
-}
-
 Task<PerturbedMetric> perturb_metric(Pace& pace, const Mesh& mesh, const GeodesicBlocks& blocks,
                                      const RegionSet& regions, const std::pmr::deque<uint32_t>& also,
                                      const Perturbation& perturbation) {

@@ -19,8 +19,4 @@ struct Perturbation {
     uint64_t seed = 1;
 };
 
-// What takes the place of the mesh's positions. `normals`: of the vertices. About 100 ns a vertex.
-Task<GrowingBuffer<Position>> perturb_positions(Pace& pace, const Mesh& mesh, const Buffer<Position>& normals,
-                                                Perturbation perturbation);
-
 }  // namespace flg

@@ -36,10 +36,6 @@ public:
     }
 
     bool everything() const { return everything_; }
-    // Of 64 triangles.
-    bool holds(uint32_t word) const {
-        return everything_ || (bits_[word / words_a_bit_word] >> word % words_a_bit_word * blocks_a_word & 15) != 0;
-    }
     // The first 64 triangles from `word` on that it holds; no_index: none.
     uint32_t next(uint32_t word) const {
         if (word >= words_) return no_index;

@@ -119,8 +119,10 @@ namespace Filigree
     /// <summary>
     /// Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount`
     /// at the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In
-    /// between, the height is a profile of the distance, by the bias and gain of Schlick (1994). Later distances are
-    /// measured on the new surface.
+    /// between, the height is a profile of the distance, by the bias and gain of Schlick (1994). The ridges of the
+    /// distance are rounded, by some percent of the largest one; normals are smoothed within the regions, over up to
+    /// half of `amount`. Where a triangle that is no sliver would turn over, the height is lowered. (Parts of the
+    /// surface that face each other may still meet.) Later distances are measured on the new surface.
     /// </summary>
     public unsafe partial struct FlgTangleDisplaceDesc
     {
