@@ -22,7 +22,7 @@ FlgSplineDesc default_spline_desc() {
     desc.max_rounds = 200;
     desc.tolerance = 1e-6;
     desc.obstacle_radius = 1e-3;
-    desc.max_evaluations = 150000;
+    desc.max_evaluations = default_evaluations;
     return desc;
 }
 
@@ -36,18 +36,18 @@ FlgSplineRibbonDesc default_ribbon_desc() {
 RibbonShape read_ribbon(const FlgSplineRibbonDesc& desc, const ManifoldProduct& manifold) {
     RibbonShape shape;
     check_range(desc.columns >= 1 && desc.columns <= 256, "desc.columns", desc.columns, "1 to 256");
-    check_range(desc.width > 0 && desc.width <= 1e30, "desc.width", desc.width, "above 0, at most 1e30");
+    check_range(desc.width >= 1e-30 && desc.width <= 1e30, "desc.width", desc.width, "1e-30 to 1e30");
     check_range(desc.spacing >= 0 && desc.spacing <= 1e30, "desc.spacing", desc.spacing, "0 to 1e30");
     check_range(std::abs(desc.height) <= 1e30, "desc.height", desc.height, "finite and at most 1e30 in size");
     check_range(std::abs(desc.bank) <= 1e30, "desc.bank", desc.bank, "finite and at most 1e30 in size");
-    check_range(desc.texture_length >= 0 && desc.texture_length <= 1e30, "desc.texture_length", desc.texture_length,
-                "0 to 1e30");
+    check_range(desc.texture_length == 0 || (desc.texture_length >= 1e-30 && desc.texture_length <= 1e30),
+                "desc.texture_length", desc.texture_length, "0, or 1e-30 to 1e30");
     check_range(desc.reserved == 0, "desc.reserved", desc.reserved, "0");
     for (int c = 0; c < 3; ++c) {
         check_range(std::abs(desc.up[c]) <= 1e30, "desc.up", desc.up[c], "finite and at most 1e30 in size");
         shape.up[c] = desc.up[c];
     }
-    if (!shape.up.isZero(0)) shape.up.normalize();
+    if (!shape.up.isZero(0)) shape.up.stableNormalize();
     shape.columns = desc.columns;
     shape.width = desc.width;
     shape.spacing = desc.spacing;

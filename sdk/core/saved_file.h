@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -115,8 +116,11 @@ private:
         return true;
     }
     static void remove_if_abandoned(const std::filesystem::path& temporary) {
+        // What is open can't be removed there, but a save closes its file before it renames it.
         std::error_code error;
-        std::filesystem::remove(temporary, error);  // fails for what is open
+        const auto written = std::filesystem::last_write_time(temporary, error);
+        if (error || written > std::filesystem::file_time_type::clock::now() - std::chrono::hours(1)) return;
+        std::filesystem::remove(temporary, error);
     }
 #else
     // `is_private`: a file that is made is for this process's user alone.
@@ -136,32 +140,45 @@ private:
     void keep_mode_and_owner() const {
         struct stat there {};
         if (::stat(path_.c_str(), &there) != 0) return;
-        if (::fchown(file_, there.st_uid, there.st_gid) != 0 &&
-            ::fchown(file_, static_cast<uid_t>(-1), there.st_gid) != 0) {
-            there.st_mode &= static_cast<mode_t>(~(S_ISUID | S_ISGID));  // they were for another's file
+        // What was allowed to the owner's programs, or to the group, is not for those of this process.
+        if (::fchown(file_, there.st_uid, there.st_gid) != 0) {
+            there.st_mode &= ~static_cast<mode_t>(S_ISUID);
+            if (::fchown(file_, static_cast<uid_t>(-1), there.st_gid) != 0) {
+                there.st_mode &= ~static_cast<mode_t>(S_ISGID | S_IRWXG);
+            }
         }
         if (::fchmod(file_, there.st_mode & 07777) != 0 && errno != EPERM) fail(errno);  // some systems have no modes
     }
-    // Whether the file is this process's alone and has a name: another save may have taken it for abandoned before.
+    // Whether a new file stays this save's: another one may have taken it for abandoned before it was locked. Where
+    // nothing can be locked nothing is taken for abandoned.
     static bool lock(int file) {
+        if (::flock(file, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
         struct stat status {};
-        return ::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &status) == 0 && status.st_nlink > 0;
+        return ::fstat(file, &status) == 0 && status.st_nlink > 0;
     }
     static void remove_if_abandoned(const std::filesystem::path& temporary) {
-        const int file = open_file(temporary, O_RDONLY);
+        const int file = ::open(temporary.c_str(), O_RDWR | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
         if (file < 0) return;
-        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(temporary.c_str());
+        // Since it was opened it may have been renamed, and its name be another's.
+        struct stat own {
+        }, named{};
+        if (::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &own) == 0 && S_ISREG(own.st_mode) &&
+            ::lstat(temporary.c_str(), &named) == 0 && own.st_ino == named.st_ino && own.st_dev == named.st_dev) {
+            ::unlink(temporary.c_str());
+        }
         ::close(file);
     }
 #endif
 
     void remove_abandoned() const {
-        const std::string start = path_.filename().string() + ".";  // of its side files, too
+        // In the system's letters: not every name is a text. Those of its side files, too.
+        const auto start = std::filesystem::path(path_.filename()).concat(".").native();
+        const auto mark = std::filesystem::path(suffix).native();
         std::error_code error;
         for (std::filesystem::directory_iterator entry(folder(), error), end; !error && entry != end;
              entry.increment(error)) {
-            const std::string name = entry->path().filename().string();
-            if (name.starts_with(start) && name.find(suffix) != name.npos) remove_if_abandoned(entry->path());
+            const auto name = entry->path().filename().native();
+            if (name.starts_with(start) && name.find(mark) != name.npos) remove_if_abandoned(entry->path());
         }
     }
     void open_beside() {

@@ -173,6 +173,15 @@ private:
         return sum;
     }
 
+    uint32_t valence(const PullHandle& handle) const {
+        uint32_t edges = 0;
+        for (uint32_t c = 0; c < 3; ++c) {
+            const uint32_t place = system_.place_of[handle.vertices[c]];
+            if (handle.shares[c] != 0) edges += system_.offsets[place + 1] - system_.offsets[place];
+        }
+        return edges;
+    }
+
     // Patches end half way to the next handle: two that overlap would need huge forces to part.
     Task<void> find_radii() {
         const size_t size = handles_.size();
@@ -185,7 +194,7 @@ private:
             for (uint32_t k = 0; k < size; ++k)
                 if (k != h) radius = std::min(radius, 0.5 * (points[k] - points[h]).norm());
             radii_[h] = radius;
-            return static_cast<uint32_t>(20 + size);
+            return static_cast<uint32_t>(20 + size) + (asked < 0 ? valence(handles_[h]) : 0);
         });
     }
 
@@ -195,26 +204,33 @@ private:
         const auto force = [&](uint32_t place) -> double& { return next_[size_t{width} * place + k]; };
         const Vec3 point = point_at_rest(handle);
         const double square = radii_[h] * radii_[h];
-        std::pmr::vector<uint32_t> patch(pace_.memory());
+        Buffer<uint32_t> patch(square > 0 ? system_.count() : 0, pace_.memory());
+        uint32_t count = 0;  // in it, each once
         double sum = 0;
         const auto reach = [&](uint32_t place) {
             const double left = 1 - (system_.rest[place] - point).squaredNorm() / square;
             if (!(left > 0) || force(place) > 0) return;
-            force(place) = system_.mass(place) * left * left;
-            sum += force(place);
-            patch.push_back(place);
+            const double own = system_.mass(place) * left * left;
+            if (!(own > 0)) return;
+            force(place) = own;
+            sum += own;
+            patch[count++] = place;
         };
         for (uint32_t c = 0; square > 0 && c < 3; ++c)
             if (handle.shares[c] > 0) reach(system_.place_of[handle.vertices[c]]);
         Slice slice(Cost::tens_of_ns);
-        for (size_t i = 0; i < patch.size(); ++i) {
-            const uint32_t begin = system_.offsets[patch[i]], end = system_.offsets[patch[i] + 1];
+        const auto reach_all = [&](uint32_t begin, uint32_t end) {
             for (uint32_t e = begin; e < end; ++e) reach(system_.neighbours[e]);
-            if (slice.is_over(1 + end - begin)) co_await pace_;
+        };
+        for (uint32_t i = 0; i < count; ++i) {
+            for (Portion part(slice, system_.offsets[patch[i]], system_.offsets[patch[i] + 1]); part.next();) {
+                reach_all(part.begin, part.end);
+                if (part.is_over()) co_await pace_;
+            }
+            if (slice.is_over()) co_await pace_;
         }
-        co_await each(pace_, patch.size(), Cost::some_ns, [&](uint32_t i) { force(patch[i]) /= sum; });
-        for (uint32_t c = 0; patch.empty() && c < 3; ++c)
-            force(system_.place_of[handle.vertices[c]]) += handle.shares[c];
+        co_await each(pace_, count, Cost::some_ns, [&](uint32_t i) { force(patch[i]) /= sum; });
+        for (uint32_t c = 0; count == 0 && c < 3; ++c) force(system_.place_of[handle.vertices[c]]) += handle.shares[c];
     }
 
     // What handles do to the surface; those of the frame before are kept.

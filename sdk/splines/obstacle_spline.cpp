@@ -421,7 +421,9 @@ Task<bool> settle(Pace& pace, Search& s, const Barrier& barrier) {
         co_await minimize(pace, s, barrier, optimizer);
         const bool is_clear = co_await accept(pace, s, *optimizer);
         if (is_clear) co_return true;
-        if (pass + 1 == max_passes || s.chain.points.size() / d > FLG_SPLINE_MAX_NODES / 4) break;
+        // What was looked at stays as it is.
+        if (pass + 1 == max_passes || s.chain.points.size() / d > FLG_SPLINE_MAX_NODES / 4 || s.evaluations.are_spent())
+            break;
         co_await refine(pace, s.trespasses, d, s.problem.closed, margin, s.chain);
         s.wider.set_smooth(false);
         margin = std::min(1.5 * margin, max_margin * s.scene.margin);
@@ -461,7 +463,11 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
     pace.stage("minimize");
     Chain chain(pace.memory());
-    Evaluations evaluations(request.desc.max_evaluations);
+    const uint64_t given_evaluations = request.desc.max_evaluations;
+    const uint64_t most_evaluations = given_evaluations == default_evaluations
+                                          ? std::max(given_evaluations, default_evaluations_a_node * nodes)
+                                          : given_evaluations;
+    Evaluations evaluations(most_evaluations);
     Search search{.set = set,
                   .wider = wider,
                   .scene = scene,
@@ -484,11 +490,14 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
         const bool is_clear = co_await settle(pace, search, barrier);
         if (is_clear) break;
         if (evaluations.are_spent()) {
-            if (!search.has_result) refuse(search.trespasses, chain, d, request.desc.max_evaluations);
+            if (!search.has_result) refuse(search.trespasses, chain, d, most_evaluations);
             break;
         }
-        if (finer == max_finer || 4 * uint64_t{finer} * nodes > FLG_SPLINE_MAX_NODES / 4)
-            refuse(search.trespasses, chain, d, 0);
+        if (finer == max_finer || 4 * uint64_t{finer} * nodes > FLG_SPLINE_MAX_NODES / 4) {
+            if (!search.has_result) refuse(search.trespasses, chain, d, 0);
+            out.chain.report.ending = SplineEnding::stalled;
+            break;
+        }
     }
     out.out_of_evaluations = evaluations.are_spent();
     problem.manifold = held.manifold.get();

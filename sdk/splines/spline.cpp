@@ -525,9 +525,7 @@ void Spline::show_chain(const Chain& shown) noexcept {
     view_.residual = report.residual;
 }
 
-namespace {
-
-// A curve set's floats must hold the curve: a chain that spans few of their steps would come out as stairs.
+// A chain that spans few steps of floats would come out as stairs.
 Task<void> check_precision(Pace& pace, const Buffer<double>& nodes) {
     constexpr double min_steps = 256;
     std::array<double, 3> low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -548,8 +546,6 @@ Task<void> check_precision(Pace& pace, const Buffer<double>& nodes) {
         "relative to an origin near them (FlgSplineDesc::origin)",
         size, farthest, step);
 }
-
-}  // namespace
 
 Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height, double spacing,
                          std::shared_ptr<CurveSet> out) {

@@ -78,6 +78,9 @@ struct SplineHandle {
     double slope[Manifold::max_ambient] = {};  // in the job, its part tangent to the manifold
 };
 
+// FlgSplineDesc::max_evaluations by default, and what a node has at least then.
+inline constexpr uint64_t default_evaluations = 150000, default_evaluations_a_node = 200;
+
 struct SplineRequest {
     std::shared_ptr<Spline> out;
     std::shared_ptr<const Spline> warm_start;    // or null
@@ -121,6 +124,9 @@ Task<void> minimize_chain(Pace& pace, const SplineRequest& request, SplineProble
                           Spline& out);
 // What stays of an optimizer that is done.
 Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out);
+
+// Throws a Failure where nodes of R^3 are too far from the origin for a curve or mesh of floats.
+Task<void> check_precision(Pace& pace, const Buffer<double>& nodes);
 
 // The whole of flgSplineSample.
 Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height, double spacing,

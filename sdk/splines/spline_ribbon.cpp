@@ -14,6 +14,7 @@ namespace {
 
 constexpr double least_across = 1e-6;  // of a direction across: less is none
 constexpr double least_apart = 0.05;   // of their distance: so far apart neighbouring rows end
+constexpr double most_diagonals = 2;   // of a mesh: so wide is a ribbon on it at most
 constexpr uint32_t max_ribbon_vertices = 1u << 26;
 
 // A row: where it is, and how far it reaches.
@@ -55,9 +56,8 @@ Task<void> smooth_bends(Pace& pace, const SplineRows& rows, double length, Ribbo
 }
 
 // Before they cross, rows end; and no row is longer than its neighbour by more than they are apart.
-Task<void> limit_reach(Pace& pace, const SplineRows& rows, double half_width, Ribbon& ribbon) {
+Task<void> limit_reach(Pace& pace, const SplineRows& rows, Ribbon& ribbon) {
     const auto last = static_cast<uint32_t>(ribbon.rows.size()) - 1;
-    for (RibbonRow& row : ribbon.rows) row.reach[0] = row.reach[1] = half_width;
     co_await each(pace, last, Cost::tens_of_ns, [&](uint32_t i) {
         RibbonRow &a = ribbon.rows[i], &b = ribbon.rows[i + 1];
         const Vec3 way = (a.way + b.way).normalized(), step = b.place - a.place;
@@ -96,14 +96,14 @@ Task<Ribbon> frame_rows(Pace& pace, const SplineRows& rows, const RibbonShape& s
     ribbon.rows.reserve(count);
     co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
         const SplineRow& from = rows.rows[i];
-        RibbonRow row{from.place, from.way, {}, {}, 0, {}};
+        RibbonRow row{from.place, from.way, {}, {}, 0, {0.5 * shape.width, 0.5 * shape.width}};
         const bool has_up = !shape.up.isZero(0);
         frame_row(has_up ? shape.up : from.normal, i > 0 ? &ribbon.rows[i - 1] : nullptr, row);
         ribbon.rows.push_back(row);
     });
     const uint32_t last = count - 1;
     if (closed) ribbon.rows[last] = ribbon.rows[0];
-    co_await limit_reach(pace, rows, 0.5 * shape.width, ribbon);
+    co_await limit_reach(pace, rows, ribbon);
     if (shape.bank == 0) co_return ribbon;
     co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
         const uint32_t before = i > 0 ? i - 1 : closed ? last - 1 : 0, after = i < last ? i + 1 : closed ? 1 : last;
@@ -189,7 +189,12 @@ void add_ribbon_column(MeshInput& input, FlgAttribute attribute, uint32_t compon
 Task<void> make_ribbon(Pace& pace, std::shared_ptr<const Spline> spline, RibbonShape shape,
                        std::shared_ptr<Surface> out) {
     pace.stage("rows");
-    const SplineRows rows = co_await rows_along(pace, *spline, shape.spacing);
+    co_await check_precision(pace, spline->chain.nodes);
+    if (shape.conforms) {
+        const MeshExtent& extent = spline->manifold->surface->extent;
+        shape.width = std::min(shape.width, most_diagonals * (extent.upper - extent.lower).norm());
+    }
+    SplineRows rows = co_await rows_along(pace, *spline, shape.spacing);
     const uint32_t across = shape.columns + 1, count = static_cast<uint32_t>(rows.rows.size());
     if (uint64_t{count} * across > max_ribbon_vertices)
         throw Failure(FLG_ERROR_LIMIT, "a ribbon of %u rows with %u columns has more than the limit of 2^26 vertices",
@@ -234,6 +239,13 @@ Task<void> make_ribbon(Pace& pace, std::shared_ptr<const Spline> spline, RibbonS
     input->view.columns = input->columns.data();
     input->view.column_count = static_cast<uint32_t>(input->columns.size());
     input->view.triangles = input->triangles.data();
+    // One at a time.
+    rows.rows = std::pmr::vector<SplineRow>(pace.memory());
+    co_await pace;
+    ribbon.rows = std::pmr::vector<RibbonRow>(pace.memory());
+    co_await pace;
+    places = Buffer<Vec3>();
+    co_await pace;
     co_await make_surface(pace, std::move(out), std::move(input), -1);
 }
 

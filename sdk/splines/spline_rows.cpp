@@ -8,6 +8,8 @@ namespace flg {
 
 namespace {
 
+constexpr double least_around = 3;  // rows of a closed curve, its end beside
+
 // A piece from node to node, by t in [0, 1].
 struct HermitePiece {
     Vec3 a, b, m, n;  // the ends, and the derivatives by t there
@@ -95,7 +97,8 @@ Task<SplineRows> rows_along(Pace& pace, const Spline& spline, double spacing) {
                   [&](uint32_t i) { begins[i + 1] = begins[i] + pieces[i].length(1); });
     SplineRows out(pace.memory());
     out.length = begins[count];
-    const double wanted = spacing > 0 ? std::max(std::round(out.length / spacing), 1.0) : count;
+    const double least = spline.closed ? least_around : 1;
+    const double wanted = spacing > 0 ? std::max(std::round(out.length / spacing), least) : count;
     if (!(wanted < max_spline_rows))
         throw Failure(FLG_ERROR_LIMIT, "desc.spacing is %g, which makes %g rows of %g m, more than the limit of 2^20",
                       spacing, wanted, out.length);
@@ -106,7 +109,8 @@ Task<SplineRows> rows_along(Pace& pace, const Spline& spline, double spacing) {
         double t = 0;
         if (spacing > 0) {
             const double length = out.length * (static_cast<double>(row) / steps);
-            while (piece + 1 < count && begins[piece + 1] <= length) ++piece;
+            const double* const after = std::upper_bound(begins.begin() + piece + 1, begins.end(), length);
+            piece = std::min(count, static_cast<uint32_t>(after - begins.begin())) - 1;
             const double own = begins[piece + 1] - begins[piece], target = length - begins[piece];
             const HermitePiece at = pieces[piece];
             t = own > 0 ? std::clamp(target / own, 0.0, 1.0) : 0;

@@ -27,7 +27,7 @@ struct SplineRows {
 inline constexpr uint32_t max_spline_rows = 1u << 20;
 
 // spacing: metres, rounded so that it fits the length a whole number of times; 0: rows are nodes. Throws a Failure for
-// more than max_spline_rows. About 200 ns a node and a row.
+// more than max_spline_rows; a closed curve has 3 and its end at least. About 200 ns a node and a row.
 Task<SplineRows> rows_along(Pace& pace, const Spline& spline, double spacing);
 
 }  // namespace flg

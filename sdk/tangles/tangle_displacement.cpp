@@ -77,7 +77,9 @@ void add_neighbours(const Mesh& mesh, uint32_t place, LeafGraph& graph) {
     uint32_t first = no_index;
     size_t at = no_index, at_before = no_index;  // of the neighbour, and of the one before; no_index: not of the leaves
     const auto add_weight = [&](size_t to, double weight) {
+        constexpr double most = 1e30;  // of an edge that has next to no length
         if (to == no_index || !std::isfinite(weight)) return;
+        weight = std::min(weight, most);
         neighbours[to].weight += static_cast<float>(weight);
         sum += weight;
     };
@@ -215,7 +217,7 @@ Task<Buffer<float>> measure_leaves(Pace& pace, const Mesh& mesh, const RegionSet
                                    DistanceAt distance_at) {
     Buffer<float> largest(label_count, pace.memory());
     co_await each(pace, label_count, Cost::some_ns, [&](uint32_t label) { largest[label] = 0; });
-    co_await each_within(pace, mesh, leaves, Cost::some_ns, [&](uint32_t t) {
+    co_await each_within(pace, mesh, leaves, Cost::tens_of_ns, [&](uint32_t t) {
         float& of_leaf = largest[mesh.regions[t]];
         for (const uint32_t vertex : mesh.triangles[t]) {
             of_leaf = std::max(of_leaf, distance_at(vertex));

@@ -129,6 +129,57 @@ TEST(SplineObstacles, EvaluationsBoundTheWork) {
     EXPECT_GT(refused, 0u);
 }
 
+// By default many given points have as many evaluations as they need.
+TEST(SplineObstacles, ManyPointsHaveEnoughEvaluations) {
+    const Host host;
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2);
+    ObstacleScene scene;
+    scene.dimension = 2;
+    scene.size = 14;
+    Solid& ball = scene.solids.emplace_back();
+    ball.radius = 0.5;
+    for (int32_t i = -140; i <= 140; ++i)
+        if (std::abs(i) > 14) scene.points.insert(scene.points.end(), {0.05 * i, 0.1});
+    FlgSplineDesc desc = spline_desc(plane, scene.points, 2);
+    ASSERT_GT(desc.point_count, 236u);
+    desc.obstacles = obstacles_of(host, scene);
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    const reference::Approach nearest = closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * 2},
+                                                         {made.view.parameters, made.view.node_count}, false);
+    EXPECT_GT(nearest.clearance, -1e-6 * scene.size);
+}
+
+// Of a mesh, by a clearance of many cells of its grid: as the box that it is.
+TEST(SplineObstacles, AWideClearanceFromAMeshHolds) {
+    const Host host;
+    const FlgManifold space = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE);
+    FlgObstacle box = flgObstacleDefaults();
+    box.kind = FLG_OBSTACLE_KIND_MESH;
+    MeshArrays mesh;
+    for (uint32_t i = 0; i < 8; ++i) mesh.add_vertex(i & 1 ? 1 : -1, i & 2 ? 0.5 : -0.5, i & 4 ? 0.25 : -0.25);
+    const uint32_t corners[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    for (const auto& t : corners) mesh.add_triangle(t[0], t[1], t[2]);
+    box.surface = mesh_surface(host, std::move(mesh));
+    const double clearance = 0.6;
+    const std::vector<double> points = {-3, 0.1, 0, 3, 0, 0.1};
+    FlgSplineDesc desc = spline_desc(space, points);
+    desc.obstacles = make_obstacles(host, {box}, 3, clearance);
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    double least = HUGE_VAL;
+    for (uint32_t i = 0; i < made.view.node_count; ++i) {
+        const Point at = made.node(i);
+        const double half[3] = {1, 0.5, 0.25};
+        double square = 0;
+        for (size_t c = 0; c < 3; ++c) square += std::pow(std::max(std::abs(at[c]) - half[c], 0.0), 2);
+        least = std::min(least, std::sqrt(square));
+    }
+    EXPECT_GT(least, clearance - 1e-5);
+    EXPECT_LT(least, clearance + 0.03);  // half a cell
+}
+
 TEST(SplineObstacles, SameBitsUnderAnyWorkersAndBudgets) {
     const ObstacleScene scene = reference::obstacle_scene(3, SceneKind::plane);
     std::vector<double> expected;

@@ -19,10 +19,10 @@ struct Ribbon {
     }
 };
 
-Ribbon make_ribbon(const Host& host, const FlgSplineRibbonDesc& desc) {
+Ribbon make_ribbon(const Host& host, const FlgSplineRibbonDesc& desc, uint32_t budget_us = FLG_UNLIMITED) {
     FlgSurface surface{};
     EXPECT_EQ(flgSplineRibbon(host.context, &desc, &surface, nullptr), FLG_OK) << flgErrorGetMessage();
-    host.finish();
+    host.finish(budget_us);
     FlgSurfaceView view = flgSurfaceViewDefaults();
     EXPECT_EQ(flgSurfaceGetView(host.context, surface, &view), FLG_OK) << flgErrorGetMessage();
     return {*view.mesh};
@@ -183,18 +183,21 @@ TEST(SplineRibbon, RowsDoNotCrossInTightBends) {
 TEST(SplineRibbon, SameBitsUnderAnyWorkersAndBudgets) {
     std::vector<float> expected;
     for (const uint32_t workers : {0u, 3u}) {
-        const Host host(workers);
-        const std::vector<double> points = torus_points(5, 1, 0.4);
-        const MadeSpline made = make_spline(host, spline_desc(mesh_manifold(host, torus_mesh(60, 30, 1, 0.4)), points));
-        FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
-        desc.spline = made.spline;
-        desc.width = 0.2;
-        desc.conforms = 1;
-        const Ribbon ribbon = make_ribbon(host, desc);
-        const float* const positions = ribbon.column(FLG_ATTRIBUTE_POSITION);
-        const std::vector<float> now(positions, positions + size_t{3} * ribbon.mesh.vertex_count);
-        if (expected.empty()) expected = now;
-        EXPECT_TRUE(now == expected);
+        for (const uint32_t budget_us : {FLG_UNLIMITED, 300u}) {
+            const Host host(workers);
+            const std::vector<double> points = torus_points(5, 1, 0.4);
+            const FlgManifold manifold = mesh_manifold(host, torus_mesh(60, 30, 1, 0.4));
+            const MadeSpline made = make_spline(host, spline_desc(manifold, points), budget_us);
+            FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+            desc.spline = made.spline;
+            desc.width = 0.2;
+            desc.conforms = 1;
+            const Ribbon ribbon = make_ribbon(host, desc, budget_us);
+            const float* const positions = ribbon.column(FLG_ATTRIBUTE_POSITION);
+            const std::vector<float> now(positions, positions + size_t{3} * ribbon.mesh.vertex_count);
+            if (expected.empty()) expected = now;
+            EXPECT_TRUE(now == expected) << workers << " workers, budget " << budget_us;
+        }
     }
 }
 
@@ -218,6 +221,29 @@ TEST(SplineRibbon, BadOnesAreNamed) {
     refuse([](FlgSplineRibbonDesc& d) { d.columns = 257; }, "desc.columns is 257");
     refuse([](FlgSplineRibbonDesc& d) { d.spacing = -1; }, "desc.spacing is -1");
     refuse([](FlgSplineRibbonDesc& d) { d.up[1] = INFINITY; }, "desc.up");
+    refuse([](FlgSplineRibbonDesc& d) { d.width = 1e-320; }, "desc.width");
+    refuse([](FlgSplineRibbonDesc& d) { d.height = INFINITY; }, "desc.height");
+    refuse([](FlgSplineRibbonDesc& d) { d.bank = NAN; }, "desc.bank");
+    refuse([](FlgSplineRibbonDesc& d) { d.texture_length = -1; }, "desc.texture_length is -1");
+    refuse([](FlgSplineRibbonDesc& d) { d.texture_length = 1e-320; }, "desc.texture_length");
+    refuse([](FlgSplineRibbonDesc& d) { d.reserved = 7; }, "desc.reserved is 7");
+    const std::vector<double> on_torus = torus_points(5, 1, 0.4);
+    const FlgManifold torus = mesh_manifold(host, torus_mesh(30, 15, 1, 0.4));
+    const MadeSpline on_mesh = make_spline(host, spline_desc(torus, on_torus));
+    refuse(
+        [&](FlgSplineRibbonDesc& d) {
+            d.spline = on_mesh.spline;
+            d.conforms = 1;
+            d.bank = 1;
+        },
+        "desc.bank can't be given together with desc.conforms");
+    refuse(
+        [&](FlgSplineRibbonDesc& d) {
+            d.spline = on_mesh.spline;
+            d.conforms = 1;
+            d.up[2] = 1;
+        },
+        "desc.up can't be given together with desc.conforms");
     refuse([](FlgSplineRibbonDesc& d) { d.conforms = 1; },
            "desc.conforms: desc.spline is not on the manifold of a mesh");
     refuse([&](FlgSplineRibbonDesc& d) { d.spline = free.spline; }, "desc.up is 0");
@@ -231,6 +257,24 @@ TEST(SplineRibbon, BadOnesAreNamed) {
     FlgSurfaceView view = flgSurfaceViewDefaults();
     EXPECT_EQ(flgSurfaceGetView(host.context, out, &view), FLG_ERROR_LIMIT);
     EXPECT_NE(std::strstr(flgErrorGetMessage(), "desc.spacing is 1e-09"), nullptr) << flgErrorGetMessage();
+}
+
+// However far apart rows are to be, a closed ribbon encloses something; and an up of any length is a direction.
+TEST(SplineRibbon, AClosedOneHasThreeRows) {
+    const Host host;
+    const MadeSpline made = circle(host, shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 2), 12, 2);
+    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    desc.spline = made.spline;
+    desc.columns = 1;
+    desc.width = 0.1;
+    desc.spacing = 1e30;
+    desc.up[2] = 1e-200;
+    const Ribbon ribbon = make_ribbon(host, desc);
+    ASSERT_EQ(ribbon.mesh.vertex_count, 8u);
+    for (uint32_t v = 0; v < 8; ++v) {
+        EXPECT_NEAR(ribbon.position(v).z(), 0, 1e-5);
+        EXPECT_NEAR(ribbon.position(v).norm(), v % 2 == 0 ? 1.95 : 2.05, 1e-3);
+    }
 }
 
 // A circle in even steps: all chords alike, and all points on it.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Documents survive a save during which the power goes. The system calls of a save are recorded; then each beginning of
-// them is played onto a model of a disk that owes nothing to anybody who did not ask: a write lasts for certain once its
-// file was flushed, a name once its folder was, and of all else any part may be there, in any order. What is found then is
-// the old document or the new one; once the save has returned, the new one.
+// them is played onto a model of a disk that owes nothing to anybody who did not ask: a write lasts for certain once
+// its file was flushed, a name once its folder was, and of all else any part may be there, in any order. What is found
+// then is the old document or the new one; once the save has returned, the new one.
 #ifdef FLG_WITH_IO
 #include <algorithm>
 #include <fstream>
@@ -171,8 +171,7 @@ std::vector<Operation> recorded(const Document& document, const std::string& fol
     return std::move(recorder.operations);
 }
 
-// Plays those of the first `count` operations that last: all that were flushed since, and of the others those in `luck`,
-// a bit each.
+// Plays those of some operations that last: all that were flushed since, and of the others those in `luck`, a bit each.
 class Disk {
 public:
     Disk(const Files& there, std::span<const Operation> operations) : there_(there), operations_(operations) {}

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <ctime>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 
 #include "slices/memory_clocks.h"
 #include "slices/sized_jobs.h"
@@ -114,10 +116,11 @@ Options read(int count, char** arguments) {
 }
 
 uint32_t run_all(const Options& options) {
-    uint32_t violations = 0;
+    uint32_t violations = 0, count = 0;
     for (const auto& jobs : {stroke_jobs(), surface_jobs(), tangle_jobs(), spline_jobs(), model_jobs()}) {
         for (const SizedJob& job : jobs) {
             if (std::strstr(job.name, options.jobs) == nullptr) continue;
+            ++count;
             const uint32_t size = std::min(options.size, job.largest);
             try {
                 if (options.work) {
@@ -131,6 +134,7 @@ uint32_t run_all(const Options& options) {
             }
         }
     }
+    if (count == 0) throw std::runtime_error(std::string("no job has ") + options.jobs + " in its name");
     return violations;
 }
 

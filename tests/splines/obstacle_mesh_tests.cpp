@@ -189,6 +189,31 @@ TEST(MeshObstacle, ABoxIsOneExactly) {
     EXPECT_GT(near, 1000u);
 }
 
+// With a clearance of many cells, of values alone too; and no jump in what barriers see.
+TEST(MeshObstacle, WithAWideClearanceItIsExactThere) {
+    const double half[3] = {1, 0.5, 0.25}, centre[3] = {0, 0, 0}, clearance = 0.6;
+    const BoxObstacle box(3, centre, half, nullptr);
+    const Mesh mesh = make_mesh(box_soup(1, 0.5, 0.25));
+    const SampledDistance d = sampled(mesh, clearance + 0.3, 64, true);
+    const MeshObstacle obstacle = solid(d, mesh);
+    const Obstacle* one[] = {&obstacle};
+    ObstacleSet set(one, clearance, heap());
+    set.set_smooth(false);
+    uint32_t near = 0;
+    for (uint64_t item = 0; item < 4000; ++item) {
+        const Numbers x = random_numbers(item, 1.8);
+        const double away = box.evaluate(x.data(), nullptr, nullptr);
+        if (away > clearance + 0.25) continue;
+        EXPECT_NEAR(set.evaluate(0, x.data(), nullptr, nullptr), away - clearance, 1e-12);
+        EXPECT_LE(set.distance(x.data()), away - clearance + 1e-12);
+        if (away > clearance) continue;
+        ++near;
+        EXPECT_NEAR(set.distance(x.data()), away - clearance, 1e-12);
+        EXPECT_NEAR(obstacle.evaluate_exactly(x.data(), nullptr, nullptr, clearance), away, 1e-12);
+    }
+    EXPECT_GT(near, 500u);
+}
+
 // Two closed meshes in one that overlap: what one of them holds is inside, however near the other's surface is.
 TEST(MeshObstacle, OverlappingShellsAreOneSolid) {
     Soup soup = box_soup(1, 1, 1);

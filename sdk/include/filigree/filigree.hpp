@@ -4311,9 +4311,9 @@ public:
     }
 
     /// Writes curves to .xyz, .obj or .glb, completely or not at all, also when the power goes: a temporary file beside
-    /// it is flushed to the disk and renamed when complete (for an FlgFileSystem its `close` does so); it keeps mode
-    /// and owner of the file it replaces. So do all functions that write files. `desc` may be null. Curves without a
-    /// NORMAL column get frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER
+    /// it is flushed to the disk and renamed when complete (for an FlgFileSystem its `close` does so). The mode and
+    /// owner of a file that it replaces stay. So do all functions that write files. `desc` may be null. Curves without
+    /// a NORMAL column get frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER
     /// columns of more than 4 floats. Lines of one point are written with that point twice; ribbons and tubes omit
     /// zero-length curves. Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another
     /// extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.glb: 2 GiB). Text leaves while it is made, in parts of 64 KiB, and

@@ -385,7 +385,8 @@ typedef struct FlgSplineDesc {
     uint64_t max_evaluations; /* among obstacles: how often nodes are put onto the manifold at most, in all, 1 to 2 us
                                  each: bounds the time, and is the same on every machine. Used up, the result is the
                                  best curve so far that keeps clear (FLG_SPLINE_ENDING_EVALUATIONS); the job fails if
-                                 there is none. Fewer than some 20 a node leave none. 0: no bound. Default 150000 */
+                                 there is none. Fewer than some 20 a node leave none. 0: no bound. Default 150000, which
+                                 stands for 200 a node (of node_count) where that is more */
 } FlgSplineDesc;
 
 FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
@@ -411,7 +412,8 @@ typedef enum FlgSplineEnding {
                                         differences cancel */
     FLG_SPLINE_ENDING_ROUNDS = 3,    /* max_rounds was reached */
     FLG_SPLINE_ENDING_STALLED = 4,   /* no step lowers the energy: more than a 16th of the nodes and 3 would be held.
-                                        The curve is the best found; see the residual */
+                                        The curve is the best found; see the residual. Among obstacles also: only a
+                                        barrier wider than the last one gave a curve that keeps clear */
     FLG_SPLINE_ENDING_TRIANGLES = 5, /* the curve over the triangles of a mesh: it was asked for, or the smooth surface
                                         can't be reached somewhere. Nodes lie on triangles, given points at the nearest
                                         points of these */
@@ -513,18 +515,21 @@ typedef struct FlgSplineRibbonDesc {
     uint32_t columns;   /* quads across, 1 to 256. Default 4 */
     const FlgJobOptions* job;
     FlgSpline spline;   /* in R^3 */
-    double width;       /* metres, above 0. Default 1 */
-    double spacing;     /* metres between rows, as of FlgSplineSampleDesc. 0: a row at each node. Default 0 */
+    double width;       /* metres, 1e-30 to 1e30; where it conforms, it is twice the diagonal of the mesh's box at most.
+                           Default 1 */
+    double spacing;     /* metres between rows, as of FlgSplineSampleDesc; a closed one has at least 3. 0: a row at each
+                           node. Default 0 */
     double height;      /* metres above where it lies, along its own normals. Default 0 */
     double bank;        /* metres: it leans into bends by the angle whose tangent is the curvature times this, which is
                            the square of a speed over 9.81. For ribbons that do not conform. Default 0: none */
     double texture_length; /* metres of the curve for a texture once; rounded so that it fits around a closed one.
-                              0: the width. Default 0 */
+                              1e-30 to 1e30; 0: the width. Default 0 */
     double up[3];       /* rows are level, across this direction; 0: across the surface's normals. Needed by curves in
                            free space. For ribbons that do not conform. Default 0 */
     uint32_t conforms;  /* nonzero: rows lie on the triangles of the spline's mesh, and end at its border. Between its
                            vertices the ribbon is straight, so the mesh may stand above it a little: `height` lifts it.
-                           Default 0: rows are straight */
+                           Only the curve's bends limit how wide rows are: where the mesh itself bends, those of a wide
+                           ribbon may cross. Default 0: rows are straight */
     uint32_t reserved;
 } FlgSplineRibbonDesc;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -279,9 +280,8 @@ Vector<String> older_companions(const Path& path) {
          entry.increment(error)) {
         const std::u8string name = entry->path().filename().u8string();
         std::error_code unknown;
-        if (!name.starts_with(file.filename().u8string()) || entry->last_write_time(unknown) >= saved || unknown) {
-            continue;
-        }
+        if (!name.starts_with(file.filename().u8string())) continue;
+        if (entry->last_write_time(unknown) >= saved - std::chrono::minutes(10) || unknown) continue;
         names.emplace_back(reinterpret_cast<const char*>(name.data()), name.size());
     }
     return names;

@@ -106,8 +106,8 @@ Path resolved(const Path& path);
 // Whether `path` has no links that lead out of the folder of `document`; for the host's functions: yes.
 bool stays_beside(const Path& path, const Path& document);
 
-// The names of the files beside the one at `path` that begin with its name and are older; none for the host's
-// functions, which list no folders, nor where no file is.
+// The names of the files beside the one at `path` that begin with its name and are ten minutes older; none for the
+// host's functions, which list no folders, nor where no file is.
 Vector<String> older_companions(const Path& path);
 
 // Without a word if it cannot.

@@ -2,8 +2,8 @@
 // The C ABI of tangles' documents, translated onto this room; and how the two files of a document are saved as one.
 //
 // The side file's name has the checksum of its bytes in it, and the JSON, which names it, is renamed into its place
-// last: a save that is cut short anywhere leaves the document as it was, at most with a side file too many. A later save
-// removes it, once it is older than the document: younger ones may be those of a save that goes on now.
+// last: a save that is cut short anywhere leaves the document as it was, at most with a side file too many. A later
+// save removes it, once it is ten minutes older than the document: what is younger may be of a save that goes on.
 #include <new>
 #include <optional>
 

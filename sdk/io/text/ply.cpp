@@ -513,7 +513,9 @@ private:
         constexpr size_t nothing = SIZE_MAX, corners = SIZE_MAX - 1, region = SIZE_MAX - 2, uvs = SIZE_MAX - 3;
         Vector<size_t> roles;
         // Numbers of textures are regions where these have no labels.
-        numbers_textures_ = !header_.pictures.empty() && !element.find("region");
+        const PlyProperty* const labels = element.find("region");
+        const bool has_labels = labels && !labels->is_list() && is_integer(labels->type);
+        numbers_textures_ = !header_.pictures.empty() && !has_labels;
         for (const PlyProperty& property : element.properties) {
             size_t role = nothing;
             if (is_index_list(property)) {
@@ -597,6 +599,9 @@ private:
     void place_uvs() {
         if (!data_.corner_uvs.empty()) return data_.corner_uvs.resize(6 * data_.triangle_count());
         if (vertex_uvs_.empty()) return;
+        data_.corner_uvs.resize(6);  // so that the limit counts them
+        data_.check_room(0, 0, rows_.place());
+        data_.corner_uvs.clear();
         data_.corner_uvs.reserve(6 * data_.triangle_count());
         for (const uint32_t v : data_.triangles)
             data_.corner_uvs.insert(data_.corner_uvs.end(),

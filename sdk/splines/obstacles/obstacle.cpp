@@ -93,7 +93,7 @@ double ObstacleSet::distance(const double* x, uint32_t* which, double* gradient,
     uint32_t found = count();
     for (uint32_t i = 0; i < count(); ++i) {
         if (at_least(i, x) >= least) continue;
-        const double d = obstacles_[i]->evaluate_exactly(x, nullptr, nullptr) - clearance_;
+        const double d = obstacles_[i]->evaluate_exactly(x, nullptr, nullptr, clearance_) - clearance_;
         if (d < least) least = d, found = i;
     }
     if (which != nullptr) *which = found;

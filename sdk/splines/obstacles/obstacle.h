@@ -42,8 +42,10 @@ public:
     // null. Finite x. Any thread. 1 us at most.
     virtual double evaluate(const double* x, double* gradient, double* second) const = 0;
     // The same from the solid itself, where evaluate() smooths it: the value is never more than the distance, to
-    // rounding. What certifies that a curve is clear looks at this one.
-    virtual double evaluate_exactly(const double* x, double* gradient, double* second) const {
+    // rounding. What certifies that a curve is clear looks at this one. Where the distance is above exact_below and
+    // neither derivative is asked for it may be less, by a little.
+    virtual double evaluate_exactly(const double* x, double* gradient, double* second,
+                                    [[maybe_unused]] double exact_below = 0) const {
         return evaluate(x, gradient, second);
     }
 
@@ -112,16 +114,17 @@ public:
     double clearance() const { return clearance_; }
     const Obstacle& operator[](uint32_t i) const { return *obstacles_[i]; }
 
-    // The distance from obstacle i, less the clearance: for barriers.
+    // The distance from obstacle i, less the clearance: for barriers, so without jumps, whatever is asked for.
     double evaluate(uint32_t i, const double* x, double* gradient, double* second) const {
         const Obstacle& obstacle = *obstacles_[i];
-        return (is_smooth_ ? obstacle.evaluate(x, gradient, second) : obstacle.evaluate_exactly(x, gradient, second)) -
-               clearance_;
+        if (is_smooth_) return obstacle.evaluate(x, gradient, second) - clearance_;
+        return obstacle.evaluate_exactly(x, gradient, second, std::numeric_limits<double>::infinity()) - clearance_;
     }
     // That distance is no less than this; quickly.
     double at_least(uint32_t i, const double* x) const;
-    // The exact least distance, of obstacle `which`; nothing is evaluated that can't be less than `below`: then that is
-    // returned. Each may be null but x. 5 ns an obstacle that is far, beside those that are near.
+    // The least distance, of obstacle `which`: exact where it is not positive, else never more than it is. Nothing is
+    // evaluated that can't be less than `below`: then that is returned. Each may be null but x. 5 ns an obstacle that
+    // is far, beside those that are near.
     double distance(const double* x, uint32_t* which = nullptr, double* gradient = nullptr,
                     double below = std::numeric_limits<double>::infinity()) const;
 

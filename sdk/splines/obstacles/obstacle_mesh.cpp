@@ -64,12 +64,12 @@ double MeshObstacle::evaluate(const double* x, double* gradient, double* second)
     return from_box(distance_.box, x, gradient, second);
 }
 
-double MeshObstacle::evaluate_exactly(const double* x, double* gradient, double* second) const {
+double MeshObstacle::evaluate_exactly(const double* x, double* gradient, double* second, double exact_below) const {
     double sampled = 0;
     if (!distance_.evaluate(x, &sampled, nullptr, nullptr)) return from_box(distance_.box, x, gradient, second);
     const double error = sampling_error * distance_.grid.spacing;
     // Where that will do.
-    if (sampled > 4 * error && gradient == nullptr && second == nullptr) return sampled - error;
+    if (sampled > exact_below + 4 * error && gradient == nullptr && second == nullptr) return sampled - error;
     TriangleSolid::Nearest nearest = triangles_.nearest(x, std::abs(sampled) + error);
     if (nearest.triangle == no_index) nearest = triangles_.nearest(x, std::numeric_limits<double>::infinity());
     const bool inside = std::abs(sampled) > error ? sampled < 0 : triangles_.holds(x);

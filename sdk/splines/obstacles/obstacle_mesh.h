@@ -22,7 +22,7 @@ public:
     MeshObstacle(const SampledDistance& distance, TriangleSolid triangles);
     double evaluate(const double* x, double* gradient, double* second) const override;
     // The second derivatives are those of the distance from the nearest face, edge or corner. 1 us.
-    double evaluate_exactly(const double* x, double* gradient, double* second) const override;
+    double evaluate_exactly(const double* x, double* gradient, double* second, double exact_below = 0) const override;
 
 private:
     const SampledDistance& distance_;

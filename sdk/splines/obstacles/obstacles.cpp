@@ -50,8 +50,8 @@ double PlacedObstacle::evaluate(const double* x, double* gradient, double* secon
     return obstacle_.evaluate(moved_back(x).data(), gradient, second);
 }
 
-double PlacedObstacle::evaluate_exactly(const double* x, double* gradient, double* second) const {
-    return obstacle_.evaluate_exactly(moved_back(x).data(), gradient, second);
+double PlacedObstacle::evaluate_exactly(const double* x, double* gradient, double* second, double exact_below) const {
+    return obstacle_.evaluate_exactly(moved_back(x).data(), gradient, second, exact_below);
 }
 
 PlacedObstacles::PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, double more_clearance,

@@ -44,7 +44,7 @@ class PlacedObstacle final : public Obstacle {
 public:
     PlacedObstacle(const Obstacle& obstacle, const Vec3& shift);
     double evaluate(const double* x, double* gradient, double* second) const override;
-    double evaluate_exactly(const double* x, double* gradient, double* second) const override;
+    double evaluate_exactly(const double* x, double* gradient, double* second, double exact_below = 0) const override;
 
 private:
     Place moved_back(const double* x) const;

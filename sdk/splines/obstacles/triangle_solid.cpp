@@ -26,8 +26,8 @@ TriangleSolid::Nearest TriangleSolid::nearest(const double* x, double below) con
 
 bool TriangleSolid::holds(const double* x) const {
     const Vec3 place(x);
-    uint32_t votes = 0;
-    for (uint32_t axis = 0; axis < 3; ++axis) {
+    uint32_t votes[2] = {};  // out, in
+    for (uint32_t axis = 0; votes[0] < 2 && votes[1] < 2; ++axis) {
         const int along = static_cast<int>(axis);
         int turns = 0;
         tree_.along(x, axis, [&](uint32_t first, uint32_t end) {
@@ -38,9 +38,9 @@ bool TriangleSolid::holds(const double* x) const {
                 if (own != 0 && at > place[along]) turns += own;
             }
         });
-        votes += turns != 0 ? 1 : 0;
+        ++votes[turns != 0];
     }
-    return votes >= 2;
+    return votes[1] == 2;
 }
 
 Vec3 TriangleSolid::normal(uint32_t triangle) const {

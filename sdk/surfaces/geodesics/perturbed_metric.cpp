@@ -113,24 +113,35 @@ Task<RegionRanks> mark_ranks(Pace& pace, const Mesh& mesh, const GeodesicBlocks&
                              const std::pmr::deque<uint32_t>& also) {
     // What may fail comes first: GCC 12 frees members of an aggregate twice if a later one throws.
     Marks inside = co_await no_marks(pace, blocks.rank_count()), beyond = co_await no_marks(pace, blocks.rank_count());
-    const auto mark_around = [&](uint32_t vertex) {
-        visit_fan(mesh, vertex, [&](uint32_t neighbour, Corner) { beyond.set(blocks.rank_of_vertex[neighbour]); });
+    Marks around = co_await no_marks(pace, blocks.rank_count());
+    // Once for each vertex; returns how many it has marked.
+    const auto mark_around = [&](uint32_t vertex) -> uint32_t {
+        uint32_t count = 0;
+        if (!around.set(blocks.rank_of_vertex[vertex])) return count;
+        visit_fan(mesh, vertex, [&](uint32_t neighbour, Corner) {
+            beyond.set(blocks.rank_of_vertex[neighbour]);
+            ++count;
+        });
+        return count;
     };
     co_await each(pace, also.size(), Cost::tens_of_ns, [&](uint32_t i) { beyond.set(blocks.rank_of_vertex[also[i]]); });
     RegionCursor cursor(mesh, regions);
-    co_await repeat(pace, Cost::tens_of_ns, [&] {
+    const auto mark_next = [&]() -> uint32_t {
         const uint32_t triangle = cursor.next();
-        if (triangle == no_index) return !cursor.at_end();
+        if (triangle == no_index) return 1;
         const Triple& corners = mesh.triangles[triangle];
+        uint32_t work = 1;
         for (uint32_t k = 0; k < 3; ++k) {
             inside.set(blocks.rank_of_vertex[corners[k]]);
             const uint32_t across = mesh.neighbours[triangle][k];
             if (across == no_index || regions.contains(mesh.regions[across])) continue;
-            mark_around(corners[k]);
-            mark_around(corners[following_corner(k)]);
+            work += mark_around(corners[k]) + mark_around(corners[following_corner(k)]);
         }
-        return true;
-    });
+        return work;
+    };
+    for (Slice slice(Cost::tens_of_ns); !cursor.at_end();) {
+        if (slice.is_over(mark_next())) co_await pace;
+    }
     co_return RegionRanks{std::move(inside), std::move(beyond)};
 }
 

@@ -110,8 +110,8 @@ namespace Filigree
 
         /// <summary>
         /// Writes curves to .xyz, .obj or .glb, completely or not at all, also when the power goes: a temporary file
-        /// beside it is flushed to the disk and renamed when complete (for an FlgFileSystem its `close` does so); it
-        /// keeps mode and owner of the file it replaces. So do all functions that write files. `desc` may be null.
+        /// beside it is flushed to the disk and renamed when complete (for an FlgFileSystem its `close` does so). The
+        /// mode and owner of a file that it replaces stay. So do all functions that write files. `desc` may be null.
         /// Curves without a NORMAL column get frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb
         /// cannot hold USER columns of more than 4 floats. Lines of one point are written with that point twice;
         /// ribbons and tubes omit zero-length curves. Errors: FlgResult.ErrorInvalidArgument (also for no curves at

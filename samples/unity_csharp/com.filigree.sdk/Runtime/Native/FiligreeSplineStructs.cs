@@ -432,7 +432,7 @@ namespace Filigree
         /// among obstacles: how often nodes are put onto the manifold at most, in all, 1 to 2 us each: bounds the time,
         /// and is the same on every machine. Used up, the result is the best curve so far that keeps clear
         /// (FlgSplineEnding.Evaluations); the job fails if there is none. Fewer than some 20 a node leave none. 0: no
-        /// bound. Default 150000
+        /// bound. Default 150000, which stands for 200 a node (of node_count) where that is more
         /// </summary>
         public ulong max_evaluations;
     }
@@ -560,9 +560,14 @@ namespace Filigree
         public FlgJobOptions* job;
         /// <summary>in R^3</summary>
         public FlgSpline spline;
-        /// <summary>metres, above 0. Default 1</summary>
+        /// <summary>
+        /// metres, 1e-30 to 1e30; where it conforms, it is twice the diagonal of the mesh's box at most. Default 1
+        /// </summary>
         public double width;
-        /// <summary>metres between rows, as of FlgSplineSampleDesc. 0: a row at each node. Default 0</summary>
+        /// <summary>
+        /// metres between rows, as of FlgSplineSampleDesc; a closed one has at least 3. 0: a row at each node. Default
+        /// 0
+        /// </summary>
         public double spacing;
         /// <summary>metres above where it lies, along its own normals. Default 0</summary>
         public double height;
@@ -572,7 +577,8 @@ namespace Filigree
         /// </summary>
         public double bank;
         /// <summary>
-        /// metres of the curve for a texture once; rounded so that it fits around a closed one. 0: the width. Default 0
+        /// metres of the curve for a texture once; rounded so that it fits around a closed one. 1e-30 to 1e30; 0: the
+        /// width. Default 0
         /// </summary>
         public double texture_length;
         /// <summary>
@@ -582,7 +588,9 @@ namespace Filigree
         public fixed double up[3];
         /// <summary>
         /// nonzero: rows lie on the triangles of the spline's mesh, and end at its border. Between its vertices the
-        /// ribbon is straight, so the mesh may stand above it a little: `height` lifts it. Default 0: rows are straight
+        /// ribbon is straight, so the mesh may stand above it a little: `height` lifts it. Only the curve's bends limit
+        /// how wide rows are: where the mesh itself bends, those of a wide ribbon may cross. Default 0: rows are
+        /// straight
         /// </summary>
         public uint conforms;
         public uint reserved;

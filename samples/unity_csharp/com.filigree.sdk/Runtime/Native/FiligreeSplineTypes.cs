@@ -109,7 +109,8 @@ namespace Filigree
         Rounds = 3,
         /// <summary>
         /// FLG_SPLINE_ENDING_STALLED: no step lowers the energy: more than a 16th of the nodes and 3 would be held. The
-        /// curve is the best found; see the residual
+        /// curve is the best found; see the residual. Among obstacles also: only a barrier wider than the last one gave
+        /// a curve that keeps clear
         /// </summary>
         Stalled = 4,
         /// <summary>
