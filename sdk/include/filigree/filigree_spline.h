@@ -352,7 +352,7 @@ typedef struct FlgSplineDesc {
      * surface in R^3. The result is the limit of splines on barriers around them, as the barriers' radius shrinks to
      * `obstacle_radius` of the scene's size; nodes keep a tenth of that radius away, up to a half where they must.
      * The chain and the cubic spline through its nodes keep their clearance everywhere, to 2e-7 of the scene's size:
-     * there are more nodes where that needs them. Of meshes that holds for the grid they are known by. The job fails
+     * there are more nodes where that needs them. A mesh is its triangles, not a grid of them. The job fails
      * where it can't be had, and says near which obstacle and where. A given point inside an obstacle is refused; one
      * that touches is not, and beside it the curve may come nearer by a tenth of the barriers' radius. The initial
      * curve goes around the obstacles; on a surface `sides` has no effect. `start`, `warm_start`, slopes and
