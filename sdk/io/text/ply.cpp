@@ -513,8 +513,8 @@ private:
         constexpr size_t nothing = SIZE_MAX, corners = SIZE_MAX - 1, region = SIZE_MAX - 2, uvs = SIZE_MAX - 3;
         Vector<size_t> roles;
         // Numbers of textures are regions where these have no labels.
-        const PlyProperty* const label = element.find("region");
-        const bool has_labels = label && !label->is_list() && is_integer(label->type);
+        const PlyProperty* const of_region = element.find("region");
+        const bool has_labels = of_region && !of_region->is_list() && is_integer(of_region->type);
         numbers_textures_ = !header_.pictures.empty() && !has_labels;
         for (const PlyProperty& property : element.properties) {
             size_t role = nothing;
