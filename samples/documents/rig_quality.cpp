@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace flg::cli {
@@ -115,6 +116,26 @@ RigQuality measure_rig(const FlgSkinView& skin) {
     for (uint32_t j = 0; j < skin.joint_count; ++j) rig.turn_joint(j, out);
     rig.look_at_jumps(out);
     return out;
+}
+
+uint32_t count_pieces(const FlgSkinView& skin) {
+    std::vector<uint32_t> of(skin.vertex_count);
+    std::iota(of.begin(), of.end(), 0);
+    const auto find = [&](uint32_t v) {
+        for (; of[v] != v; v = of[v]) of[v] = of[of[v]];
+        return v;
+    };
+    std::vector<bool> is_used(skin.vertex_count);
+    for (size_t t = 0; t < skin.triangle_count; ++t) {
+        const uint32_t* c = skin.triangles + 3 * t;
+        for (size_t k = 0; k < 3; ++k) {
+            is_used[c[k]] = true;
+            of[find(c[k])] = find(c[0]);
+        }
+    }
+    uint32_t pieces = 0;
+    for (uint32_t v = 0; v < of.size(); ++v) pieces += is_used[v] && of[v] == v;
+    return pieces;
 }
 
 }  // namespace flg::cli

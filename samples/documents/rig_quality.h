@@ -18,4 +18,7 @@ struct RigQuality {
 // pose that moves it.
 RigQuality measure_rig(const FlgSkinView& skin);
 
+// How many pieces the surface is in that no triangle joins.
+uint32_t count_pieces(const FlgSkinView& skin);
+
 }  // namespace flg::cli

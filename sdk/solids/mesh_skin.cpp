@@ -107,6 +107,27 @@ Task<void> carry_over(Pace& pace, const MeshSkinRequest& request, const Repaired
     });
 }
 
+// Bones lie inside of a mesh. One with holes has an inside, a sheet has none.
+Task<void> require_inside(Pace& pace, const Mesh& mesh) {
+    constexpr double least = 1e-3;  // of the volume, by the area to the power of 1.5: 0.09 for a ball
+    const Vec3 from = mesh.position(mesh.triangles[0][0]);
+    double volume = 0, area = 0;
+    uint32_t border = 0;
+    co_await each(pace, mesh.triangle_count(), Cost::tens_of_ns, [&](uint32_t t) {
+        const Triple& corners = mesh.triangles[t];
+        const Vec3 a = mesh.position(corners[0]) - from, b = mesh.position(corners[1]) - from,
+                   c = mesh.position(corners[2]) - from;
+        volume += a.dot(b.cross(c)) / 6;
+        area += (b - a).cross(c - a).norm() / 2;
+        for (const uint32_t across : mesh.neighbours[t]) border += across == no_index;
+    });
+    if (border > 0 && !(std::abs(volume) > least * area * std::sqrt(area)))
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.mesh is a sheet: %u of its edges have one triangle, and it encloses next to nothing, so "
+                      "bones have no room in it",
+                      border);
+}
+
 Task<void> find_bones(Pace& pace, const MeshSkinRequest& request, const Mesh& mesh, SolidGrid& grid, HeldSkin& skin) {
     const MeshExtent extent = co_await measure_extent(pace, mesh);
     const double size = size_by_diagonal * std::max((extent.upper - extent.lower).norm(), grid.cell);
@@ -144,6 +165,7 @@ Task<void> make_mesh_skin(Pace& pace, std::shared_ptr<HeldSkin> skin, std::share
     if (mesh.vertex_count() > most_vertices)
         throw Failure(FLG_ERROR_LIMIT, "desc.mesh has %u vertices, more than the limit of %u", mesh.vertex_count(),
                       most_vertices);
+    co_await require_inside(pace, mesh);
     const SolidFrame frame = co_await find_solid_frame(pace, mesh);
     SolidGrid grid = co_await fill_solid(pace, mesh, frame, request->cells);
     co_await join_solid_pieces(pace, grid);

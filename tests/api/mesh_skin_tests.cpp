@@ -124,6 +124,29 @@ TEST(MeshSkins, AFailedJobSaysWhy) {
     EXPECT_NE(std::string(flgErrorGetMessage()).find("123456"), std::string::npos) << flgErrorGetMessage();
 }
 
+// Bones have no room in a sheet; one end of a tube may be open.
+TEST(MeshSkins, SheetsAreRefused) {
+    Triangles sheet;
+    sheet.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    sheet.corners = {0, 1, 2, 0, 2, 3};
+    MeshHost host;
+    FlgColumn column;
+    const FlgMeshView view = view_of(sheet, column);
+    const FlgSkin skin = host.start_skin(view);
+    host.finish();
+    FlgSkinView shown = flgSkinViewDefaults();
+    EXPECT_EQ(flgSkinGetView(host.context, skin, &shown), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgErrorGetMessage()).find("is a sheet: 4 of its edges"), std::string::npos)
+        << flgErrorGetMessage();
+    Triangles open = solid_person();
+    open.corners.resize(open.corners.size() - 3);
+    FlgColumn open_column;
+    const FlgMeshView open_view = view_of(open, open_column);
+    const FlgSkin open_skin = host.start_skin(open_view);
+    host.finish();
+    EXPECT_EQ(flgSkinGetView(host.context, open_skin, &shown), FLG_OK) << flgErrorGetMessage();
+}
+
 TEST(PulledMeshes, FollowHandlesAndAreTheSameUnderAnyWorkers) {
     Triangles mesh;
     mesh.add_tube({0, 0, 0}, 0.2, {0, 2, 0}, 0.2);

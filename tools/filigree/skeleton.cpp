@@ -227,6 +227,9 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
         report.quality["stretched_by"] = view.joint_names[rig.stretch_joint];
         report.quality["largest_weight_jump"] = rig.largest_jump;
     }
+    if (const uint32_t pieces = count_pieces(view); options.mesh.empty() && pieces > drawing.parts.size())
+        report.warn(subject + ": the surface is in " + std::to_string(pieces) +
+                    " pieces: what is thinner than its triangles falls apart; --vertices asks for smaller ones");
     const RiggedSkin rigged(options.rig, view, bones, drawing, subject);
     std::vector<FlgSkinAnimation> animations = rigged.animations();
     std::optional<PulledSkin> pulled;
@@ -281,9 +284,23 @@ void write_bones(const Options& options, const std::string& subject, const Model
     write_text_file(options.bones, bones_json(view, rig ? &rig->rig() : nullptr).dump(1) + "\n");
 }
 
+// An edit waits for its joint while somebody draws; in a file that is read once it is one of no joint.
+void warn_of_vain_edits(const ModelDrawing& drawing, const FlgModelView& view, const std::string& subject,
+                        Report& report) {
+    for (const JointEdit& edit : drawing.joint_edits) {
+        // What is merged away, and what takes its place, has no key of its own in the end.
+        if (edit.kind == FLG_JOINT_EDIT_KIND_MERGE || edit.kind == FLG_JOINT_EDIT_KIND_SPLIT) continue;
+        const bool is_there = std::any_of(view.joint_keys, view.joint_keys + view.joint_count,
+                                          [&](const char* key) { return edit.joint == key; });
+        if (!is_there) report.warn(subject + ": joints: the model has no joint " + edit.joint + "; its edit waits");
+    }
+}
+
 void run_skeleton(Options options, const CommonOptions& common) {
     const bool is_vrm = options.rig.standard == FLG_RIG_STANDARD_VRM;
     if (!options.rig.authors.empty() && !is_vrm) throw UsageError("--author: is asked for by --rig vrm alone");
+    for (const std::string& author : options.rig.authors)
+        if (author.empty()) throw UsageError("--author: must be a name");
     if (options.output.empty() && options.bones.empty() && options.pulled.empty())
         throw UsageError("skeleton needs -o, --bones or --pulled");
     if (options.pull.empty() && !options.pulled.empty()) throw UsageError("--pulled: needs --pull");
@@ -310,8 +327,12 @@ void run_skeleton(Options options, const CommonOptions& common) {
     const bool has_skin = !options.output.empty() || !options.pulled.empty();
     if (!options.pull.empty()) options.script = read_pull_script(options.pull);
     if (!options.mesh.empty()) {
-        if (!options.levels.empty() || options.sharp_degrees > 0 || !options.picture.file.empty())
-            throw UsageError("--lod, --sharp, --texture: are of drawn models; --mesh keeps the mesh as it is");
+        if (!options.levels.empty() || options.sharp_degrees > 0 || !options.picture.file.empty() ||
+            options.asks_vertices || !options.picture.box.empty())
+            throw UsageError(
+                "--vertices, --lod, --sharp, --texture: are of drawn models; --mesh keeps the mesh as it is");
+        if (!options.depths.empty() || !options.apart.empty() || !options.root.empty() || options.repair)
+            throw UsageError("--depth, --apart, --root, --repair: are of drawn models; a mesh has no parts");
         FlgBoneThresholds thresholds;
         flgBoneThresholdsInit(&thresholds, sizeof thresholds);
         set_thresholds(options, thresholds);
@@ -326,10 +347,13 @@ void run_skeleton(Options options, const CommonOptions& common) {
         if (options.picture.file.empty()) options.picture.file = drawing.texture;
         if (options.picture.box.empty() && ends_with_one_of(subject, {".svg", ".SVG"}))
             options.picture.box = page_of_svg(subject);
+        if (!options.picture.box.empty() && options.picture.file.empty())
+            throw UsageError("--texture-box: needs a picture, by --texture or in the drawing");
         if (!options.picture.file.empty()) place_picture(options.picture, drawing);
         const FlgModel model = make_drawn_model(session, drawing, subject, report);
         FlgModelView view = flgModelViewDefaults();
         check(flgModelGetView(session.context(), model, &view), subject);
+        warn_of_vain_edits(drawing, view, subject, report);
         write_bones(options, subject, drawing, view, report);
         if (has_skin)
             write_skin(options, subject, drawing, view,

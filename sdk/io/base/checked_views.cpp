@@ -328,6 +328,8 @@ void CheckedSkin::check_vrm() {
     for (uint32_t i = 0; i < vrm_->author_count; ++i) {
         check_argument(vrm_->authors[i], element_of("desc.vrm.authors", i).c_str());
         check_name(vrm_->authors[i], element_of("desc.vrm.authors", i));
+        if (*vrm_->authors[i] == 0)
+            fail(FLG_ERROR_INVALID_ARGUMENT, element_of("desc.vrm.authors", i), "is empty: VRM asks for an author");
     }
     check_name(vrm_->name, "desc.vrm.name");
     check_name(vrm_->license_url, "desc.vrm.license_url");
