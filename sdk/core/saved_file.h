@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -24,11 +25,27 @@
 #ifdef _WIN32
 #include <io.h>
 #else
+#include <dirent.h>
 #include <sys/file.h>
 #endif
 #include <unistd.h>
 
 namespace flg {
+
+// Calls visit(name) for what is in a folder; for nothing if it can't be read. (The system's functions: GCC 12's
+// directory_iterator ends the process where memory runs out.)
+template <class Visit>
+void visit_names(const std::filesystem::path& folder, Visit visit) {
+#ifdef _WIN32
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        visit(entry->path().filename());
+#else
+    const std::unique_ptr<DIR, int (*)(DIR*)> directory(::opendir(folder.c_str()), ::closedir);
+    if (!directory) return;
+    while (const dirent* entry = ::readdir(directory.get())) visit(std::filesystem::path(entry->d_name));
+#endif
+}
 
 // All functions throw std::system_error; nothing has changed then.
 class SavedFile {
@@ -174,12 +191,10 @@ private:
         // In the system's letters: not every name is a text. Those of its side files, too.
         const auto start = std::filesystem::path(path_.filename()).concat(".").native();
         const auto mark = std::filesystem::path(suffix).native();
-        std::error_code error;
-        for (std::filesystem::directory_iterator entry(folder(), error), end; !error && entry != end;
-             entry.increment(error)) {
-            const auto name = entry->path().filename().native();
-            if (name.starts_with(start) && name.find(mark) != name.npos) remove_if_abandoned(entry->path());
-        }
+        visit_names(folder(), [&](const std::filesystem::path& name) {
+            const bool is_ours = name.native().starts_with(start) && name.native().find(mark) != start.npos;
+            if (is_ours) remove_if_abandoned(folder() / name);
+        });
     }
     void open_beside() {
         // Until it has the mode of what it replaces.

@@ -38,8 +38,8 @@ std::map<std::string, std::string> listed(const std::string& heading) {
 // Headers that the sources of a folder take from elsewhere, but for those of the system: those of C++ have no folder
 // and no `.h`.
 std::set<std::string> foreign_headers(const std::string& folder) {
-    const std::set<std::string> of_system = {"fcntl.h",    "io.h",       "stddef.h", "stdint.h", "sys/file.h",
-                                             "sys/mman.h", "sys/stat.h", "unistd.h", "windows.h"};
+    const std::set<std::string> of_system = {"dirent.h",   "fcntl.h",    "io.h",       "stddef.h", "stdint.h",
+                                             "sys/file.h", "sys/mman.h", "sys/stat.h", "unistd.h", "windows.h"};
     const std::regex include("^\\s*#include <([^>]+)>");
     std::set<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(FLG_SOURCE_DIR) / folder)) {

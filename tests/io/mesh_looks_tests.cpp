@@ -147,6 +147,32 @@ TEST(MeshLooks, WhatAPlyLacksIsNamed) {
     EXPECT_EQ(short_list.uvs()[17], 0);
 }
 
+TEST(MeshLooks, TextureCoordinatesOfVerticesAreWrittenAndReadBack) {
+    const Folder folder;
+    const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const std::vector<float> uvs = {0, 1, 0.5f, 1, 0.5f, 0.25f, 0, 0.25f};
+    const std::vector<uint32_t> triangles = {0, 1, 2, 0, 2, 3};
+    const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0},
+                                 {FLG_ATTRIBUTE_UV, 2, uvs.data(), 0, 0}};
+    FlgMeshView view{};
+    view.struct_size = sizeof view;
+    view.vertex_count = 4;
+    view.triangle_count = 2;
+    view.triangles = triangles.data();
+    view.columns = columns;
+    view.column_count = 2;
+    for (const char* name : {"uvs.glb", "uvs.obj", "uvs.ply"}) {
+        SCOPED_TRACE(name);
+        const std::string path = folder.at(name);
+        ASSERT_EQ(flgMeshFileWrite(path.c_str(), &view, nullptr), FLG_OK) << last_error();
+        const Mesh read(path);
+        const std::vector<float> back = read.uvs();
+        ASSERT_EQ(back.size(), 12u) << read.warnings;
+        for (size_t c = 0; c < 6; ++c)
+            for (size_t k = 0; k < 2; ++k) EXPECT_EQ(back[2 * c + k], uvs[2 * read.view.triangles[c] + k]);
+    }
+}
+
 TEST(MeshLooks, WhatAnObjLacksIsNamed) {
     const Folder folder;
     const Mesh alone(folder.put("square.obj", square));

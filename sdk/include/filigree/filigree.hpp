@@ -4397,10 +4397,11 @@ public:
     }
 
     /// Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be null.
-    /// .ply and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else
-    /// area-weighted ones. Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range),
-    /// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.ply, .glb: 2 GiB). Cost: 0.2 to 0.5 us
-    /// a triangle.
+    /// .ply and .glb keep every bit of positions; text has 9 digits. A column FLG_ATTRIBUTE_UV, with v downwards,
+    /// becomes TEXCOORD_0 in .glb, `vt` in .obj, `s` and `t` in .ply; .off has none. .glb gets normals: the column's,
+    /// else area-weighted ones. Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of
+    /// range), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.ply, .glb: 2 GiB). Cost: 0.2
+    /// to 0.5 us a triangle.
     /// Calls flgMeshFileWrite.
     static Result<bool> write(const char* path, const FlgMeshView& view, const MeshFileWriteDesc& desc =
         MeshFileWriteDesc()) {

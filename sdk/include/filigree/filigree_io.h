@@ -341,7 +341,9 @@ typedef struct FlgMeshFileWriteDesc {
 FLG_API FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_size);
 
 /* Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be null. .ply
- * and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else area-weighted ones.
+ * and .glb keep every bit of positions; text has 9 digits. A column FLG_ATTRIBUTE_UV, with v downwards, becomes
+ * TEXCOORD_0 in .glb, `vt` in .obj, `s` and `t` in .ply; .off has none. .glb gets normals: the column's, else
+ * area-weighted ones.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range), FLG_ERROR_FORMAT for
  * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.ply, .glb: 2 GiB). Cost: 0.2 to 0.5 us a triangle. */
 FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc);

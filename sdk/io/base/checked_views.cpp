@@ -31,7 +31,7 @@ constexpr ColumnRule rules[] = {
     {FLG_ATTRIBUTE_TANGENT, 3},  {FLG_ATTRIBUTE_NORMAL, 3},       {FLG_ATTRIBUTE_TIME, 1},
     {FLG_ATTRIBUTE_PRESSURE, 1}, {FLG_ATTRIBUTE_ORIENTATION, 4},  {FLG_ATTRIBUTE_STYLE_INDEX, 1},
     {FLG_ATTRIBUTE_RADII, 3},    {FLG_ATTRIBUTE_ANGLE, 1},        {FLG_ATTRIBUTE_WIDTH, 1},
-    {FLG_ATTRIBUTE_SPEED, 1},    {FLG_ATTRIBUTE_DISPLACEMENT, 3},
+    {FLG_ATTRIBUTE_SPEED, 1},    {FLG_ATTRIBUTE_DISPLACEMENT, 3}, {FLG_ATTRIBUTE_UV, 2},
 };
 
 }  // namespace
@@ -121,6 +121,8 @@ CheckedView::CheckedView(const FlgCurveSetView* view) {
     check_origin(view_.origin, "view.origin");
     check_curves();
     const CheckedColumns columns(view_.columns, view_.column_count, point_count());
+    if (columns.find(FLG_ATTRIBUTE_UV))
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns", "has FLG_ATTRIBUTE_UV, which is of meshes");
     position = columns.find(FLG_ATTRIBUTE_POSITION);
     radius = columns.find(FLG_ATTRIBUTE_RADIUS);
     color = columns.find(FLG_ATTRIBUTE_COLOR);
@@ -192,6 +194,7 @@ CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* de
     const CheckedColumns columns(view_.columns, view_.column_count, view_.vertex_count);
     position = columns.find(FLG_ATTRIBUTE_POSITION);
     color = columns.find(FLG_ATTRIBUTE_COLOR);
+    uv = columns.find(FLG_ATTRIBUTE_UV);
     normal = columns.find(FLG_ATTRIBUTE_NORMAL);
     check_triangles();
     if (desc_.face_column_count > max_face_columns) {

@@ -90,7 +90,7 @@ public:
     // By label; empty: none are given.
     const Vector<FlgMeshMaterial>& materials() const { return materials_; }
 
-    Column position, color, normal;
+    Column position, color, normal, uv;
 
 private:
     void check_triangles() const;

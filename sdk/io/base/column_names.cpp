@@ -55,9 +55,11 @@ String column_name(FlgAttribute attribute, uint32_t components, uint32_t compone
     constexpr const char* positions[] = {"x", "y", "z"};
     constexpr const char* normals[] = {"nx", "ny", "nz"};
     constexpr const char* colors[] = {"red", "green", "blue", "alpha"};
+    constexpr const char* uvs[] = {"s", "t"};
     if (attribute == FLG_ATTRIBUTE_POSITION) return positions[component];
     if (attribute == FLG_ATTRIBUTE_NORMAL) return normals[component];
     if (attribute == FLG_ATTRIBUTE_COLOR) return colors[component];
+    if (attribute == FLG_ATTRIBUTE_UV) return uvs[component];
     String name(user_prefix);
     if (attribute >= FLG_ATTRIBUTE_USER) name += to_text(attribute - FLG_ATTRIBUTE_USER);
     for (const NamedAttribute& known : named) {

@@ -276,14 +276,14 @@ Vector<String> older_companions(const Path& path) {
     const std::filesystem::file_time_type saved = std::filesystem::last_write_time(file, error);
     if (error) return names;
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const std::u8string name = entry->path().filename().u8string();
+    visit_names(folder, [&](const std::filesystem::path& found) {
+        const std::u8string name = found.u8string();
         std::error_code unknown;
-        if (!name.starts_with(file.filename().u8string())) continue;
-        if (entry->last_write_time(unknown) >= saved - std::chrono::minutes(10) || unknown) continue;
+        if (!name.starts_with(file.filename().u8string())) return;
+        const auto written = std::filesystem::last_write_time(folder / found, unknown);
+        if (unknown || written >= saved - std::chrono::minutes(10)) return;
         names.emplace_back(reinterpret_cast<const char*>(name.data()), name.size());
-    }
+    });
     return names;
 }
 

@@ -222,6 +222,10 @@ String add_mesh(GlbBuilder& glb, const CheckedMesh& mesh) {
         const size_t view = glb.add_colors(packed(mesh.color, count, 4));
         attributes += ",\"COLOR_0\":" + to_text(glb.add_accessor(view, 0, count, glb_float, "VEC4"));
     }
+    if (mesh.uv) {
+        const size_t view = glb.add_view(packed(mesh.uv, count, 2), 2);
+        attributes += ",\"TEXCOORD_0\":" + to_text(glb.add_accessor(view, 0, count, glb_float, "VEC2"));
+    }
 
     Map<uint32_t, Vector<uint32_t>> indices;  // by region
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {

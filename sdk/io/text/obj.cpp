@@ -351,12 +351,22 @@ void write_obj_mesh(const CheckedMesh& mesh, FileWriter& file) {
         text += '\n';
         file.drain();
     }
+    for (size_t i = 0; i < mesh.vertex_count() && mesh.uv; ++i) {
+        const float from_below[2] = {mesh.uv.at(i)[0], 1 - mesh.uv.at(i)[1]};
+        append_numbers(text += "vt", from_below, 2);
+        text += '\n';
+        file.drain();
+    }
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         if (mesh.regions() && (t == 0 || mesh.region(t) != mesh.region(t - 1))) {
             text.append("usemtl region_").append(to_text(mesh.region(t))) += '\n';
         }
         text += 'f';
-        for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(to_text(mesh.triangle(t)[k] + 1));
+        for (uint32_t k = 0; k < 3; ++k) {
+            const String vertex = to_text(mesh.triangle(t)[k] + 1);
+            text.append(" ").append(vertex);
+            if (mesh.uv) text.append("/").append(vertex);
+        }
         text += '\n';
         file.drain();
     }

@@ -765,6 +765,9 @@ String write_ply(const CheckedMesh& mesh) {
                     const double value = double{values[k]} + mesh.origin()[k];
                     to = put(to, &value, sizeof value);
                 }
+            } else if (column.attribute == FLG_ATTRIBUTE_UV) {
+                const float from_below[2] = {values[0], 1 - values[1]};
+                to = put(to, from_below, sizeof from_below);
             } else {
                 to = put(to, values, column.components * sizeof(float));
             }

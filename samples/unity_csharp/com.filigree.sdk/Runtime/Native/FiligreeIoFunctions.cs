@@ -193,10 +193,11 @@ namespace Filigree
 
         /// <summary>
         /// Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be
-        /// null. .ply and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else
-        /// area-weighted ones. Errors: FlgResult.ErrorInvalidArgument (also for no triangles, and for indices out of
-        /// range), FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (.ply, .glb:
-        /// 2 GiB). Cost: 0.2 to 0.5 us a triangle.
+        /// null. .ply and .glb keep every bit of positions; text has 9 digits. A column FlgAttribute.Uv, with v
+        /// downwards, becomes TEXCOORD_0 in .glb, `vt` in .obj, `s` and `t` in .ply; .off has none. .glb gets normals:
+        /// the column's, else area-weighted ones. Errors: FlgResult.ErrorInvalidArgument (also for no triangles, and
+        /// for indices out of range), FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile,
+        /// FlgResult.ErrorLimit (.ply, .glb: 2 GiB). Cost: 0.2 to 0.5 us a triangle.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileWrite(byte* path, FlgMeshView* view, FlgMeshFileWriteDesc* desc);
