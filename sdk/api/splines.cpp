@@ -26,14 +26,14 @@ FlgSplineDesc default_spline_desc() {
     return desc;
 }
 
-FlgSplineRibbonDesc default_ribbon_desc() {
-    auto desc = sized<FlgSplineRibbonDesc>();
+FlgSplineSweepDesc default_ribbon_desc() {
+    auto desc = sized<FlgSplineSweepDesc>();
     desc.columns = 4;
     desc.width = 1;
     return desc;
 }
 
-RibbonShape read_ribbon(const FlgSplineRibbonDesc& desc, const ManifoldProduct& manifold) {
+RibbonShape read_ribbon(const FlgSplineSweepDesc& desc, const ManifoldProduct& manifold) {
     RibbonShape shape;
     check_range(desc.columns >= 1 && desc.columns <= 256, "desc.columns", desc.columns, "1 to 256");
     check_range(desc.width >= 1e-30 && desc.width <= 1e30, "desc.width", desc.width, "1e-30 to 1e30");
@@ -372,16 +372,15 @@ FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, F
     });
 }
 
-FlgResult flgSplineRibbonDescInit(FlgSplineRibbonDesc* desc, uint32_t struct_size) {
+FlgResult flgSplineSweepDescInit(FlgSplineSweepDesc* desc, uint32_t struct_size) {
     return init(desc, struct_size, default_ribbon_desc());
 }
 
-FlgResult flgSplineRibbon(FlgContext context, const FlgSplineRibbonDesc* desc, FlgSurface* out_surface,
-                          FlgJob* out_job) {
+FlgResult flgSplineSweep(FlgContext context, const FlgSplineSweepDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
         Memory* const memory = self.memory[MemoryKind::surfaces];
-        const FlgSplineRibbonDesc read = read_struct(desc, default_ribbon_desc(), "desc");
+        const FlgSplineSweepDesc read = read_struct(desc, default_ribbon_desc(), "desc");
         Submission submission(self, read.job);
         const auto spline = self.splines.get(read.spline.id, "desc.spline");
         submission.read(*spline, "desc.spline");

@@ -25,7 +25,7 @@ struct RibbonShape {
     bool conforms = false;      // to the triangles of the spline's manifold
 };
 
-// The whole of flgSplineRibbon. `out` has its origin.
+// The whole of flgSplineSweep. `out` has its origin.
 Task<void> make_ribbon(Pace& pace, std::shared_ptr<const Spline> spline, RibbonShape shape,
                        std::shared_ptr<Surface> out);
 

@@ -43,7 +43,7 @@ class Grammar(unittest.TestCase):
     NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Columns", "Debug", "Indices"}
     VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|End|Find|Get|Group|Init|Join|"
              "Lift|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|Resume|Run|Sample|Set|Simplify|Split|"
-             "Stylize|Tick|Trace|Undo|Ungroup|Wait|Warm|Write").split("|")
+             "Stylize|Sweep|Tick|Trace|Undo|Ungroup|Wait|Warm|Write").split("|")
 
     def nouns(self) -> set:
         types = {item["name"][3:] for kind in ("structs", "enums", "handles", "objects") for item in COMMITTED[kind]}

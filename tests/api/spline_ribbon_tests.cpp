@@ -19,9 +19,9 @@ struct Ribbon {
     }
 };
 
-Ribbon make_ribbon(const Host& host, const FlgSplineRibbonDesc& desc, uint32_t budget_us = FLG_UNLIMITED) {
+Ribbon make_ribbon(const Host& host, const FlgSplineSweepDesc& desc, uint32_t budget_us = FLG_UNLIMITED) {
     FlgSurface surface{};
-    EXPECT_EQ(flgSplineRibbon(host.context, &desc, &surface, nullptr), FLG_OK) << flgErrorGetMessage();
+    EXPECT_EQ(flgSplineSweep(host.context, &desc, &surface, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish(budget_us);
     FlgSurfaceView view = flgSurfaceViewDefaults();
     EXPECT_EQ(flgSurfaceGetView(host.context, surface, &view), FLG_OK) << flgErrorGetMessage();
@@ -48,7 +48,7 @@ MadeSpline circle(const Host& host, FlgManifold manifold, uint32_t count, double
 TEST(SplineRibbon, AroundTheEquatorItIsACylinder) {
     const Host host;
     const MadeSpline made = circle(host, shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 2), 12, 2);
-    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    FlgSplineSweepDesc desc = flgSplineSweepDefaults();
     desc.spline = made.spline;
     desc.width = 0.6;
     desc.columns = 3;
@@ -80,7 +80,7 @@ TEST(SplineRibbon, AroundTheEquatorItIsACylinder) {
 TEST(SplineRibbon, BankingIsTheAngleOfTheSpeed) {
     const Host host;
     const MadeSpline made = circle(host, shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE), 48, 10);
-    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    FlgSplineSweepDesc desc = flgSplineSweepDefaults();
     desc.spline = made.spline;
     desc.width = 2;
     desc.columns = 1;
@@ -128,7 +128,7 @@ TEST(SplineRibbon, ConformsToTheTriangles) {
     const std::vector<double> points = {0, -2.5, 1, 0, 0.1, 1, 0, 2.5, 1};
     const MadeSpline made = make_spline(host, spline_desc(manifold, points));
     ASSERT_EQ(made.result, FLG_OK) << made.error;
-    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    FlgSplineSweepDesc desc = flgSplineSweepDefaults();
     desc.spline = made.spline;
     desc.conforms = 1;
     desc.width = 1;
@@ -163,7 +163,7 @@ TEST(SplineRibbon, RowsDoNotCrossInTightBends) {
     const FlgManifold space = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE);
     const std::vector<double> points = {-4, 0, 0, -0.2, 0.1, 0, 0, 0.4, 0, 0.2, 0.1, 0, 4, 0, 0};
     const MadeSpline made = make_spline(host, spline_desc(space, points));
-    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    FlgSplineSweepDesc desc = flgSplineSweepDefaults();
     desc.spline = made.spline;
     desc.width = 2;
     desc.spacing = 0.02;
@@ -188,7 +188,7 @@ TEST(SplineRibbon, SameBitsUnderAnyWorkersAndBudgets) {
             const std::vector<double> points = torus_points(5, 1, 0.4);
             const FlgManifold manifold = mesh_manifold(host, torus_mesh(60, 30, 1, 0.4));
             const MadeSpline made = make_spline(host, spline_desc(manifold, points), budget_us);
-            FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+            FlgSplineSweepDesc desc = flgSplineSweepDefaults();
             desc.spline = made.spline;
             desc.width = 0.2;
             desc.conforms = 1;
@@ -207,52 +207,52 @@ TEST(SplineRibbon, BadOnesAreNamed) {
     const FlgManifold space = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE);
     const std::vector<double> three = circle_points(3, 1);
     const MadeSpline free = make_spline(host, spline_desc(space, three));
-    const auto refuse = [&](const std::function<void(FlgSplineRibbonDesc&)>& spoil, const char* words) {
-        FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    const auto refuse = [&](const std::function<void(FlgSplineSweepDesc&)>& spoil, const char* words) {
+        FlgSplineSweepDesc desc = flgSplineSweepDefaults();
         desc.spline = made.spline;
         spoil(desc);
         FlgSurface out{};
-        EXPECT_LT(flgSplineRibbon(host.context, &desc, &out, nullptr), 0) << words;
+        EXPECT_LT(flgSplineSweep(host.context, &desc, &out, nullptr), 0) << words;
         EXPECT_NE(std::strstr(flgErrorGetMessage(), words), nullptr) << flgErrorGetMessage();
     };
-    refuse([](FlgSplineRibbonDesc& d) { d.width = 0; }, "desc.width is 0");
-    refuse([](FlgSplineRibbonDesc& d) { d.width = NAN; }, "desc.width");
-    refuse([](FlgSplineRibbonDesc& d) { d.columns = 0; }, "desc.columns is 0");
-    refuse([](FlgSplineRibbonDesc& d) { d.columns = 257; }, "desc.columns is 257");
-    refuse([](FlgSplineRibbonDesc& d) { d.spacing = -1; }, "desc.spacing is -1");
-    refuse([](FlgSplineRibbonDesc& d) { d.up[1] = INFINITY; }, "desc.up");
-    refuse([](FlgSplineRibbonDesc& d) { d.width = 1e-320; }, "desc.width");
-    refuse([](FlgSplineRibbonDesc& d) { d.height = INFINITY; }, "desc.height");
-    refuse([](FlgSplineRibbonDesc& d) { d.bank = NAN; }, "desc.bank");
-    refuse([](FlgSplineRibbonDesc& d) { d.texture_length = -1; }, "desc.texture_length is -1");
-    refuse([](FlgSplineRibbonDesc& d) { d.texture_length = 1e-320; }, "desc.texture_length");
-    refuse([](FlgSplineRibbonDesc& d) { d.reserved = 7; }, "desc.reserved is 7");
+    refuse([](FlgSplineSweepDesc& d) { d.width = 0; }, "desc.width is 0");
+    refuse([](FlgSplineSweepDesc& d) { d.width = NAN; }, "desc.width");
+    refuse([](FlgSplineSweepDesc& d) { d.columns = 0; }, "desc.columns is 0");
+    refuse([](FlgSplineSweepDesc& d) { d.columns = 257; }, "desc.columns is 257");
+    refuse([](FlgSplineSweepDesc& d) { d.spacing = -1; }, "desc.spacing is -1");
+    refuse([](FlgSplineSweepDesc& d) { d.up[1] = INFINITY; }, "desc.up");
+    refuse([](FlgSplineSweepDesc& d) { d.width = 1e-320; }, "desc.width");
+    refuse([](FlgSplineSweepDesc& d) { d.height = INFINITY; }, "desc.height");
+    refuse([](FlgSplineSweepDesc& d) { d.bank = NAN; }, "desc.bank");
+    refuse([](FlgSplineSweepDesc& d) { d.texture_length = -1; }, "desc.texture_length is -1");
+    refuse([](FlgSplineSweepDesc& d) { d.texture_length = 1e-320; }, "desc.texture_length");
+    refuse([](FlgSplineSweepDesc& d) { d.reserved = 7; }, "desc.reserved is 7");
     const std::vector<double> on_torus = torus_points(5, 1, 0.4);
     const FlgManifold torus = mesh_manifold(host, torus_mesh(30, 15, 1, 0.4));
     const MadeSpline on_mesh = make_spline(host, spline_desc(torus, on_torus));
     refuse(
-        [&](FlgSplineRibbonDesc& d) {
+        [&](FlgSplineSweepDesc& d) {
             d.spline = on_mesh.spline;
             d.conforms = 1;
             d.bank = 1;
         },
         "desc.bank can't be given together with desc.conforms");
     refuse(
-        [&](FlgSplineRibbonDesc& d) {
+        [&](FlgSplineSweepDesc& d) {
             d.spline = on_mesh.spline;
             d.conforms = 1;
             d.up[2] = 1;
         },
         "desc.up can't be given together with desc.conforms");
-    refuse([](FlgSplineRibbonDesc& d) { d.conforms = 1; },
+    refuse([](FlgSplineSweepDesc& d) { d.conforms = 1; },
            "desc.conforms: desc.spline is not on the manifold of a mesh");
-    refuse([&](FlgSplineRibbonDesc& d) { d.spline = free.spline; }, "desc.up is 0");
-    refuse([](FlgSplineRibbonDesc& d) { d.spline = {}; }, "desc.spline");
-    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    refuse([&](FlgSplineSweepDesc& d) { d.spline = free.spline; }, "desc.up is 0");
+    refuse([](FlgSplineSweepDesc& d) { d.spline = {}; }, "desc.spline");
+    FlgSplineSweepDesc desc = flgSplineSweepDefaults();
     desc.spline = made.spline;
     desc.spacing = 1e-9;
     FlgSurface out{};
-    EXPECT_EQ(flgSplineRibbon(host.context, &desc, &out, nullptr), FLG_OK);
+    EXPECT_EQ(flgSplineSweep(host.context, &desc, &out, nullptr), FLG_OK);
     host.finish();
     FlgSurfaceView view = flgSurfaceViewDefaults();
     EXPECT_EQ(flgSurfaceGetView(host.context, out, &view), FLG_ERROR_LIMIT);
@@ -263,7 +263,7 @@ TEST(SplineRibbon, BadOnesAreNamed) {
 TEST(SplineRibbon, AClosedOneHasThreeRows) {
     const Host host;
     const MadeSpline made = circle(host, shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 2), 12, 2);
-    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    FlgSplineSweepDesc desc = flgSplineSweepDefaults();
     desc.spline = made.spline;
     desc.columns = 1;
     desc.width = 0.1;

@@ -141,12 +141,12 @@ void make_sampled_manifolds(Calls& calls) {
         FLG_CALL(calls, flgSplineTrace, calls.context, &trace, calls.out(curves), calls.job());
         calls.finish();
         calls.note(curves);
-        FlgSplineRibbonDesc ribbon = FLG_INIT(calls, flgSplineRibbonDescInit);
+        FlgSplineSweepDesc ribbon = FLG_INIT(calls, flgSplineSweepDescInit);
         ribbon.spline = spline;
         ribbon.width = 0.1;
         ribbon.conforms = 1;
         FlgSurface road{};
-        FLG_CALL(calls, flgSplineRibbon, calls.context, &ribbon, calls.out(road), calls.job());
+        FLG_CALL(calls, flgSplineSweep, calls.context, &ribbon, calls.out(road), calls.job());
         calls.finish();
         calls.note(road);
     }

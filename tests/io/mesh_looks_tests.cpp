@@ -164,7 +164,7 @@ TEST(MeshLooks, TextureCoordinatesOfVerticesAreWrittenAndReadBack) {
     for (const char* name : {"uvs.glb", "uvs.obj", "uvs.ply"}) {
         SCOPED_TRACE(name);
         const std::string path = folder.at(name);
-        ASSERT_EQ(flgMeshFileWrite(path.c_str(), &view, nullptr), FLG_OK) << last_error();
+        ASSERT_EQ(flgMeshFileWrite(path.c_str(), &view, nullptr), FLG_OK) << flgIoErrorGetMessage();
         const Mesh read(path);
         const std::vector<float> back = read.uvs();
         ASSERT_EQ(back.size(), 12u) << read.warnings;

@@ -78,7 +78,7 @@ void check_road_options(const RoadOptions& options) {
 
 void write_roads(Session& session, const RoadOptions& options, bool on_mesh, const std::vector<FlgSpline>& splines,
                  Report& report) {
-    FlgSplineRibbonDesc desc = flgSplineRibbonDefaults();
+    FlgSplineSweepDesc desc = flgSplineSweepDefaults();
     desc.columns = options.columns;
     desc.width = options.width;
     desc.spacing = options.spacing;
@@ -93,7 +93,7 @@ void write_roads(Session& session, const RoadOptions& options, bool on_mesh, con
         desc.spline = spline;
         FlgSurface road = {};
         FlgJob job = {};
-        check(flgSplineRibbon(session.context(), &desc, &road, &job), options.output);
+        check(flgSplineSweep(session.context(), &desc, &road, &job), options.output);
         session.finish({{{job, options.output}}}, report);
         const FlgMeshView& mesh = *view_of(session.context(), road).mesh;
         const FlgColumn* const widths = flgMeshViewGetColumn(&mesh, FLG_ATTRIBUTE_WIDTH);

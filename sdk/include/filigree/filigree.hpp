@@ -3078,15 +3078,15 @@ struct SplineSampleDesc : FlgSplineSampleDesc {
     }
 };
 
-/// FlgSplineRibbonDesc with its defaults.
-struct SplineRibbonDesc : FlgSplineRibbonDesc {
+/// FlgSplineSweepDesc with its defaults.
+struct SplineSweepDesc : FlgSplineSweepDesc {
     /// The defaults.
-    SplineRibbonDesc() { flgSplineRibbonDescInit(this, detail::size_of<FlgSplineRibbonDesc>); }
+    SplineSweepDesc() { flgSplineSweepDescInit(this, detail::size_of<FlgSplineSweepDesc>); }
     /// Of the C struct.
-    SplineRibbonDesc(const FlgSplineRibbonDesc& c) : FlgSplineRibbonDesc(c) {}
+    SplineSweepDesc(const FlgSplineSweepDesc& c) : FlgSplineSweepDesc(c) {}
     /// The defaults, with spline.
-    SplineRibbonDesc(FlgSpline spline_) {
-        flgSplineRibbonDescInit(this, detail::size_of<FlgSplineRibbonDesc>);
+    SplineSweepDesc(FlgSpline spline_) {
+        flgSplineSweepDescInit(this, detail::size_of<FlgSplineSweepDesc>);
         spline = spline_;
     }
 };
@@ -4191,12 +4191,12 @@ public:
     /// a bend tighter than it is wide rows end before they would cross their neighbours, so WIDTH is less there. A
     /// closed ribbon's last row repeats the first, for the texture. Cost: about 0.5 us a vertex; 3 us a row that
     /// conforms. Fails with FLG_ERROR_LIMIT above 2^26 vertices or 2^20 rows.
-    /// Calls flgSplineRibbon.
-    Result<Surface> ribbon(SplineRibbonDesc desc = {}, Job* out_job = nullptr) const {
+    /// Calls flgSplineSweep.
+    Result<Surface> sweep(SplineSweepDesc desc = {}, Job* out_job = nullptr) const {
         desc.spline = handle_;
         FlgSurface out_surface{};
         FlgJob job_made{};
-        const FlgResult result = flgSplineRibbon(context_, &desc, &out_surface, out_job ? &job_made : nullptr);
+        const FlgResult result = flgSplineSweep(context_, &desc, &out_surface, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(context_, job_made);
         return detail::made(result, Surface(context_, out_surface));
     }

@@ -510,7 +510,7 @@ FLG_API FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint32_t st
 FLG_API FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, FlgCurveSet* out_set,
                                   FlgJob* out_job);
 
-typedef struct FlgSplineRibbonDesc {
+typedef struct FlgSplineSweepDesc {
     uint32_t struct_size;
     uint32_t columns;   /* quads across, 1 to 256. Default 4 */
     const FlgJobOptions* job;
@@ -531,16 +531,16 @@ typedef struct FlgSplineRibbonDesc {
                            Only the curve's bends limit how wide rows are: where the mesh itself bends, those of a wide
                            ribbon may cross. Default 0: rows are straight */
     uint32_t reserved;
-} FlgSplineRibbonDesc;
+} FlgSplineSweepDesc;
 
-FLG_API FlgResult flgSplineRibbonDescInit(FlgSplineRibbonDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSplineSweepDescInit(FlgSplineSweepDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes a ribbon or road along a spline: a new surface with the spline's origin and columns POSITION,
  * NORMAL, UV (u across from left to right, v along) and WIDTH (of the row, metres). On the inner side of a bend tighter
  * than it is wide rows end before they would cross their neighbours, so WIDTH is less there. A closed ribbon's last row
  * repeats the first, for the texture. Cost: about 0.5 us a vertex; 3 us a row that conforms. Fails with FLG_ERROR_LIMIT
  * above 2^26 vertices or 2^20 rows. */
-FLG_API FlgResult flgSplineRibbon(FlgContext context, const FlgSplineRibbonDesc* desc, FlgSurface* out_surface,
+FLG_API FlgResult flgSplineSweep(FlgContext context, const FlgSplineSweepDesc* desc, FlgSurface* out_surface,
                                   FlgJob* out_job);
 
 FLG_API FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
@@ -625,9 +625,9 @@ static inline FlgSplineSampleDesc flgSplineSampleDefaults(void) {
     return desc;
 }
 
-static inline FlgSplineRibbonDesc flgSplineRibbonDefaults(void) {
-    FlgSplineRibbonDesc desc;
-    flgSplineRibbonDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSplineSweepDesc flgSplineSweepDefaults(void) {
+    FlgSplineSweepDesc desc;
+    flgSplineSweepDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -197,7 +197,7 @@ namespace Filigree
             FlgContext context, FlgSplineSampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSplineRibbonDescInit(FlgSplineRibbonDesc* desc, uint struct_size);
+        public static extern FlgResult flgSplineSweepDescInit(FlgSplineSweepDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that makes a ribbon or road along a spline: a new surface with the spline's origin and columns
@@ -207,8 +207,8 @@ namespace Filigree
         /// row that conforms. Fails with FlgResult.ErrorLimit above 2^26 vertices or 2^20 rows.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSplineRibbon(
-            FlgContext context, FlgSplineRibbonDesc* desc, FlgSurface* out_surface, FlgJob* out_job);
+        public static extern FlgResult flgSplineSweep(
+            FlgContext context, FlgSplineSweepDesc* desc, FlgSurface* out_surface, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
@@ -304,10 +304,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgSplineRibbonDesc flgSplineRibbonDefaults()
+        public static FlgSplineSweepDesc flgSplineSweepDefaults()
         {
-            FlgSplineRibbonDesc made;
-            flgSplineRibbonDescInit(&made, (uint)sizeof(FlgSplineRibbonDesc));
+            FlgSplineSweepDesc made;
+            flgSplineSweepDescInit(&made, (uint)sizeof(FlgSplineSweepDesc));
             return made;
         }
 

@@ -552,7 +552,7 @@ namespace Filigree
         public double spacing;
     }
 
-    public unsafe partial struct FlgSplineRibbonDesc
+    public unsafe partial struct FlgSplineSweepDesc
     {
         public uint struct_size;
         /// <summary>quads across, 1 to 256. Default 4</summary>
