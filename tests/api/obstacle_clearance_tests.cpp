@@ -129,27 +129,6 @@ TEST(SplineObstacles, EvaluationsBoundTheWork) {
     EXPECT_GT(refused, 0u);
 }
 
-// By default many given points have as many evaluations as they need.
-TEST(SplineObstacles, ManyPointsHaveEnoughEvaluations) {
-    const Host host;
-    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2);
-    ObstacleScene scene;
-    scene.dimension = 2;
-    scene.size = 14;
-    Solid& ball = scene.solids.emplace_back();
-    ball.radius = 0.5;
-    for (int32_t i = -140; i <= 140; ++i)
-        if (std::abs(i) > 14) scene.points.insert(scene.points.end(), {0.05 * i, 0.1});
-    FlgSplineDesc desc = spline_desc(plane, scene.points, 2);
-    ASSERT_GT(desc.point_count, 236u);
-    desc.obstacles = obstacles_of(host, scene);
-    const MadeSpline made = make_spline(host, desc);
-    ASSERT_EQ(made.result, FLG_OK) << made.error;
-    const reference::Approach nearest = closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * 2},
-                                                         {made.view.parameters, made.view.node_count}, false);
-    EXPECT_GT(nearest.clearance, -1e-6 * scene.size);
-}
-
 // Of a mesh, by a clearance of many cells of its grid: as the box that it is.
 TEST(SplineObstacles, AWideClearanceFromAMeshHolds) {
     const Host host;
