@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A file that is written whole or not at all, whatever happens on the way: the process is killed, the disk is full, the
-// power goes. The one door through which the SDK's libraries, the renderer, the command line and the studio write.
+// power goes. The SDK's libraries and the renderer, the command line and the studio write what is to last through it.
 //
 // The bytes go to a temporary file beside the one that is saved, or beside what it links to. They reach the disk before
 // its name does: write, flush the file, rename, flush the folder. A file that was there keeps its mode, and its owner
 // where the process may give files away.
 //
 // Each temporary file is locked while somebody writes it; the system unlocks it when that process ends, however that
-// happens. A save removes those beside its file that nobody has
-// locked. Pipes and devices are written as they are.
+// happens. A save removes those beside its file that nobody has locked. Where nothing can be locked none are removed.
+// Pipes and devices are written as they are.
 #pragma once
 
 #include <algorithm>
