@@ -10,7 +10,7 @@
 namespace flg::cli {
 
 struct TestMotion {
-    const char* name = "test";
+    const char* name = "swing";
     std::vector<float> times, rotations, translations;  // as FlgSkinAnimation has them; no translations: none
 
     FlgSkinAnimation animation() const;

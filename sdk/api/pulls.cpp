@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
@@ -78,6 +79,23 @@ void check_keys(const FlgPullKeys& keys) {
     }
 }
 
+// Exact handles of one point can't hold it in two places.
+void check_apart(std::span<const FlgPullHandle> handles, const FlgPullHandle& handle) {
+    if (handle.compliance > 0) return;
+    const auto is_other = [&](const FlgPullHandle& other) {
+        return other.compliance == 0 && std::equal(other.vertices, other.vertices + 3, handle.vertices) &&
+               std::equal(other.shares, other.shares + 3, handle.shares) &&
+               !std::equal(other.position, other.position + 3, handle.position);
+    };
+    const auto found = std::find_if(handles.begin(), handles.end(), is_other);
+    if (found == handles.end()) return;
+    throw Failure(
+        FLG_ERROR_INVALID_ARGUMENT,
+        "desc.handles[%zu] and desc.handles[%zu] hold one point in two places: leave one of them, or give one "
+        "a compliance above 0",
+        static_cast<size_t>(found - handles.begin()), handles.size());
+}
+
 }  // namespace
 
 }  // namespace flg
@@ -140,6 +158,7 @@ FlgResult flgPulledCreate(FlgContext context, const FlgPulledDesc* desc, FlgPull
             std::snprintf(place, sizeof place, "desc.handles[%u]", h);
             const FlgPullHandle handle = read_element(read.handles, h, default_handle(), place);
             check_handle(handle, h);
+            check_apart(out->handles, handle);
             out->handles.push_back(handle);
         }
         if (read.positions) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double at_an_end = 1e-9;  // of a bone's length
 constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
+constexpr double thicker = 1.25;    // an arm that lies over the chest hangs by its shoulder: the end that is so thick
 
 // Where a joint could be connected.
 struct Place {
@@ -109,6 +110,13 @@ Task<std::pmr::vector<uint32_t>> list_ends(Pace& pace, const BoneGraph& graph, c
 
 using Ends = std::span<const uint32_t>;
 
+// Of a limb's two ends the one that is much thicker.
+bool is_thick_end(const BoneGraph& graph, Ends ends, uint32_t end) {
+    if (ends.size() != 2) return false;
+    const uint32_t other = ends[0] == end ? ends[1] : ends[0];
+    return graph.joints()[end].radius > thicker * graph.joints()[other].radius;
+}
+
 // From ends and junctions to what counts.
 struct Nearest {
     Place inside, touching;
@@ -116,19 +124,25 @@ struct Nearest {
 
 Task<Nearest> nearest_of(Pace& pace, const BoneGraph& graph, Ends ends, const Candidates& candidates) {
     Nearest nearest;
+    Place thick;
     Slice slice(Cost::tens_of_ns);
     for (const uint32_t j : ends) {
         const BoneGraph::Joint& joint = graph.joints()[j];
+        Nearest own;
         for (uint32_t i = 0; i < candidates.count(); ++i) {
             const Nearby near = candidates.from(joint.at, j, i);
             const double distance = near.place.distance;
-            if (distance <= near.radius && distance < nearest.inside.distance) nearest.inside = near.place;
-            if (distance <= nearness * (near.radius + joint.radius) && distance < nearest.touching.distance)
-                nearest.touching = near.place;
+            if (distance <= near.radius && distance < own.inside.distance) own.inside = near.place;
+            if (distance <= nearness * (near.radius + joint.radius) && distance < own.touching.distance)
+                own.touching = near.place;
             if (slice.is_over()) co_await pace;
         }
+        if (is_thick_end(graph, ends, j)) thick = own.inside.child != no_number ? own.inside : own.touching;
+        if (own.inside.distance < nearest.inside.distance) nearest.inside = own.inside;
+        if (own.touching.distance < nearest.touching.distance) nearest.touching = own.touching;
         if (slice.is_over()) co_await pace;
     }
+    if (nearest.inside.child != no_number && thick.child != no_number) nearest.inside = thick;
     co_return nearest;
 }
 

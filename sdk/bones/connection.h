@@ -8,10 +8,11 @@
 // Departures. Joints are inside of their parts, and balls do not fill them; so parts that meet only at their ends would
 // be left apart. If no joint of the new part is inside of an earlier one, joints count that are in a wide part's shape,
 // corners and all (wide_part.h); then joints whose balls come near one; then parts that a point of the new one's
-// outline is inside of. Limbs hang on the trunk, not on each other: where the joint is inside of the root end of a part
-// and of the one that this hangs on, it is connected with the latter. Bones from part to part are no part's, and
-// nothing is connected to them. A joint so near to a bone's end that the split would make a bone of no length is
-// connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
+// outline is inside of. Where both ends of a limb are inside, or touch, the one that is thicker by a quarter counts: an
+// arm over the chest hangs by its shoulder. Limbs hang on the trunk, not on each other: where the joint is inside of
+// the root end of a part and of the one that this hangs on, it is connected with the latter. Bones from part to part
+// are no part's, and nothing is connected to them. A joint so near to a bone's end that the split would make a bone of
+// no length is connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
 #pragma once
 
 #include <span>

@@ -10,11 +10,11 @@
 namespace flg {
 namespace {
 
-constexpr double bones_a_doubling = 0.75;               // of a bone's length by its width
 constexpr double window = 0.3;                          // of a piece: so far a joint may be from the even place
 constexpr double evenness = 0.2;                        // of the radius: what an elbow is deeper by than the even place
 constexpr double same_length = 1.25, same_width = 1.5;  // of equal limbs
 constexpr uint32_t most_pieces = 8;
+constexpr double bends = 1;  // a limb's last bone that is as long for its width has a knee
 
 using Samples = std::span<const AxisSample>;
 using Joints = std::pmr::vector<uint32_t>;
@@ -99,15 +99,22 @@ Task<double> mean_radius(Pace& pace, Samples samples, Piece bone) {
     co_return sum / (bone.to + 1 - bone.from);
 }
 
+// Which of the first and the last bone end freely.
+struct FreeEnds {
+    bool first, last;
+};
+
 // Bones that are long for their width in several.
-Task<void> divide_long(Pace& pace, const Contour& outline, Samples samples, double detail, Joints& joints) {
+Task<void> divide_long(Pace& pace, const Contour& outline, Samples samples, FreeEnds free, double detail,
+                       Joints& joints) {
     Joints all(pace.memory());
     for (size_t i = 0; i + 1 < joints.size(); ++i) {
         const Piece bone{joints[i], joints[i + 1]};
         const double radius = co_await mean_radius(pace, samples, bone);
-        const double aspect = radius > 0 ? length_of(samples, bone) / (2 * radius) : 0;
-        const double wanted = std::round(bones_a_doubling * std::log2(1 + aspect * detail));
-        const auto pieces = static_cast<uint32_t>(std::clamp(wanted, 1.0, double{most_pieces}));
+        const double length = length_of(samples, bone), width = 2 * radius;
+        uint32_t pieces = pieces_of(length, width, detail);
+        const bool is_free = (i == 0 && free.first) || (i + 2 == joints.size() && free.last);
+        if (is_free && length * detail >= bends * width) pieces = std::max(pieces, 2u);
         all.push_back(bone.from);
         if (pieces == 1) continue;
         const Joints between = co_await divide(pace, outline, samples, bone, pieces, radius);
@@ -152,39 +159,86 @@ private:
         if (!placed.branch_simplify.empty() && placed.branch_simplify.size() != skeleton.branches.size())
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].branch_count is %zu; the part has %zu branches",
                           placed.source, placed.branch_simplify.size(), skeleton.branches.size());
-        Buffer<uint32_t> branches_at(skeleton.graph.nodes.size(), pace_.memory());
-        co_await each(pace_, branches_at.size(), Cost::some_ns, [&](uint32_t n) { branches_at[n] = 0; });
-        co_await each(pace_, skeleton.branches.size(), Cost::some_ns, [&](uint32_t b) {
-            ++branches_at[skeleton.branches[b].from];
-            ++branches_at[skeleton.branches[b].to];
-        });
-        for (uint32_t b = 0; b < skeleton.branches.size(); ++b) {
-            const auto number = static_cast<uint32_t>(out_.samples.size());
-            const Samples samples = samples_of(p, b);
-            const bool is_own = !placed.branch_simplify.empty() && placed.branch_simplify[b] >= 0;
-            const double detail = placed.thresholds.detail;
-            Joints joints(pace_.memory());
-            if (placed.is_mirrored) {
-                joints = out_.samples[out_.first_branch[placed.twin] + b];
-            } else if (!skeleton.twins.empty() && skeleton.twins[b] < b) {
-                joints = out_.samples[out_.first_branch[p] + skeleton.twins[b]];
-            } else {
-                double share = is_own ? placed.branch_simplify[b] : placed.thresholds.simplify;
-                if (detail > 0 && !is_own) share /= detail;
-                joints = co_await bounded_dp(pace_, placed.part->outline, samples, share * model_.size / placed.scale,
-                                             model_.shape_weight);
-                if (detail > 0 && !is_own) co_await divide_long(pace_, placed.part->outline, samples, detail, joints);
+        const Buffer<uint32_t> branches_at = co_await count_branches(p);
+        const size_t first = out_.trunk_at.size();
+        out_.trunk_at.resize(first + skeleton.branches.size(), {no_number, no_number});
+        if (placed.thresholds.detail > 0) {
+            auto trunks = co_await find_shared_trunks(pace_, *placed.part, placed.thresholds.detail);
+            for (SharedTrunk& shared : trunks) {
+                for (const uint32_t b : shared.branches)
+                    out_.trunk_at[first + b][skeleton.branches[b].from == shared.node ? 0 : 1] =
+                        static_cast<uint32_t>(out_.trunks.size());
+                out_.trunks.push_back(std::move(shared));
             }
-            const AxisBranch& branch = skeleton.branches[b];
-            const bool is_free = branches_at[branch.from] == 1 || branches_at[branch.to] == 1;
-            if (detail > 0 && !is_own && is_free && joints.size() <= most_pieces) {
-                const Piece whole{0, static_cast<uint32_t>(samples.size()) - 1};
-                limbs_.push_back({p, b, number, length_of(samples, whole) * placed.scale,
-                                  co_await mean_radius(pace_, samples, whole) * placed.scale,
-                                  static_cast<uint32_t>(joints.size())});
-            }
-            out_.samples.push_back(std::move(joints));
         }
+        for (uint32_t b = 0; b < skeleton.branches.size(); ++b) {
+            const AxisBranch& branch = skeleton.branches[b];
+            const FreeEnds free{branches_at[branch.from] == 1, branches_at[branch.to] == 1};
+            co_await choose_along(p, b, free);
+        }
+    }
+
+    // By node the branches, but for those to ends that refinement prunes: a foot's corners are no limbs.
+    Task<Buffer<uint32_t>> count_branches(uint32_t p) {
+        const PartSkeleton& skeleton = model_.parts[p].part->skeleton;
+        const FlgBoneThresholds& thresholds = model_.parts[p].thresholds;
+        const double unit = model_.size / model_.parts[p].scale;
+        const double prune = thresholds.detail > 0 ? thresholds.prune * unit / thresholds.detail : 0;
+        Buffer<uint32_t> all(skeleton.graph.nodes.size(), pace_.memory());
+        co_await each(pace_, all.size(), Cost::some_ns, [&](uint32_t n) { all[n] = 0; });
+        co_await each(pace_, skeleton.branches.size(), Cost::some_ns, [&](uint32_t b) {
+            ++all[skeleton.branches[b].from];
+            ++all[skeleton.branches[b].to];
+        });
+        Buffer<uint32_t> counted(all.size(), pace_.memory());
+        co_await each(pace_, all.size(), Cost::some_ns, [&](uint32_t n) { counted[n] = all[n]; });
+        co_await each(pace_, skeleton.branches.size(), Cost::some_ns, [&](uint32_t b) {
+            const AxisBranch& branch = skeleton.branches[b];
+            if (length_of(samples_of(p, b), {0, branch.end - branch.begin - 1}) >= prune) return;
+            if (all[branch.to] == 1 && all[branch.from] > 1) --counted[branch.from];
+            if (all[branch.from] == 1 && all[branch.to] > 1) --counted[branch.to];
+        });
+        co_return counted;
+    }
+
+    // Of a branch, as far as it is none of a trunk's.
+    Piece own_stretch(uint32_t p, uint32_t b, const Samples& samples) const {
+        Piece own{0, static_cast<uint32_t>(samples.size()) - 1};
+        for (const uint32_t end : {0, 1}) {
+            const uint32_t number = out_.trunk_of(p, b, end);
+            if (number == no_number) continue;
+            const SharedTrunk& shared = out_.trunks[number];
+            (end == 0 ? own.from : own.to) = shared.samples[shared.branches[0] == b ? 0 : 1];
+        }
+        return own;
+    }
+
+    Task<void> choose_along(uint32_t p, uint32_t b, FreeEnds free) {
+        const ModelPart& placed = model_.parts[p];
+        const PartSkeleton& skeleton = placed.part->skeleton;
+        const auto number = static_cast<uint32_t>(out_.samples.size());
+        const Samples samples = samples_of(p, b);
+        const Piece own = own_stretch(p, b, samples);
+        const bool is_own = !placed.branch_simplify.empty() && placed.branch_simplify[b] >= 0;
+        const double detail = placed.thresholds.detail;
+        Joints joints(pace_.memory());
+        if (placed.is_mirrored) {
+            joints = out_.samples[out_.first_branch[placed.twin] + b];
+        } else if (!skeleton.twins.empty() && skeleton.twins[b] < b) {
+            joints = out_.samples[out_.first_branch[p] + skeleton.twins[b]];
+        } else {
+            double share = is_own ? placed.branch_simplify[b] : placed.thresholds.simplify;
+            if (detail > 0 && !is_own) share /= detail;
+            joints = co_await bounded_dp(pace_, placed.part->outline, samples.subspan(own.from, own.to - own.from + 1),
+                                         share * model_.size / placed.scale, model_.shape_weight);
+            for (uint32_t& joint : joints) joint += own.from;
+            if (detail > 0 && !is_own) co_await divide_long(pace_, placed.part->outline, samples, free, detail, joints);
+        }
+        if (detail > 0 && !is_own && (free.first || free.last) && joints.size() <= most_pieces)
+            limbs_.push_back({p, b, number, length_of(samples, own) * placed.scale,
+                              co_await mean_radius(pace_, samples, own) * placed.scale,
+                              static_cast<uint32_t>(joints.size())});
+        out_.samples.push_back(std::move(joints));
     }
 
     Task<void> make_limbs_equal() {

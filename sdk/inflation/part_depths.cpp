@@ -411,6 +411,7 @@ private:
         if (goes_on < 0 || pair.bones_cross) return true;
         if (bears_one(pair)) {
             const uint32_t limb = pair.parts[pair.before[0] == bears_other ? 1 : 0];
+            if (drawn_.hung[pair.parts[0]].depth != drawn_.hung[pair.parts[1]].depth) return true;
             return goes_on > broad * shapes_[limb].radius();
         }
         return total(pair, 0, met.ways[0]) > fork * pair.hold[0] && total(pair, 1, met.ways[1]) > fork * pair.hold[1];

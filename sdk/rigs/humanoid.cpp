@@ -62,7 +62,7 @@ Limb find_limb(const Rig& rig, FlgLimb limb, int32_t side) {
                      rig.find(first, FLG_LIMB_PLACE_END)};
     if (found.upper == none || found.middle == none || found.end == none)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "no humanoid: its %s %s does not bend: it needs three joints; a finer skeleton has more",
+                      "no humanoid: its %s %s does not bend: it needs three joints; a larger detail gives it more",
                       side > 0 ? "left" : "right", name);
     return found;
 }
@@ -98,7 +98,7 @@ void name_humanoid(const Rig& rig, FlgRigStandard standard, const char** names) 
     const uint32_t hips = rig.meet(rig.meet(rig.meet(left_leg.first, right_leg.first), chest), head);
     if (hips == chest)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "no humanoid: its spine has no joint between hips and arms; a finer skeleton has more");
+                      "no humanoid: its spine has no joint between hips and arms; a larger detail gives it more");
 
     std::fill_n(names, rig.count(), nullptr);
     uint32_t spine = 0;

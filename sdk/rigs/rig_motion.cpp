@@ -117,20 +117,24 @@ public:
                 set(j, turned(rig_.left, breath * std::sin(2 * cycle)));
             if (rig_.begins(j, FLG_LIMB_HEAD))
                 set(j, turned(rig_.up, look * std::sin(cycle)) * turned(rig_.left, breath * std::sin(2 * cycle)));
-            if (joint.limb == FLG_LIMB_ARM && joint.place == FLG_LIMB_PLACE_UPPER)
-                set(j, turned(rig_.forward, arm_sway * joint.side * (1 - std::cos(cycle))));
         }
+        each_arm([&](const Arm& arm) {
+            set(arm.upper, turned(rig_.forward, arm_sway * arm.side * (1 - std::cos(cycle))) * lowered(arm));
+        });
         wag_tail(cycle, 2 * tail_wag);
     }
 
     void wave() {
         const double raised = smooth_step(phase_ / lifting) * smooth_step((1 - phase_) / lifting);
         const double swing = raised * std::sin(turn * waves * phase_);
-        const uint32_t arm = rig_.first(FLG_LIMB_ARM, -1);
-        const uint32_t upper = arm == none ? none : rig_.find(arm, FLG_LIMB_PLACE_UPPER);
-        if (upper != none && rig_.find(arm, FLG_LIMB_PLACE_END) != none) {
+        std::optional<Arm> right;
+        each_arm([&](const Arm& arm) {
+            if (arm.side < 0) right = arm;
+        });
+        if (right) {
             rest();
-            return wave_arm(arm, upper, raised, swing);
+            each_arm([&](const Arm& arm) { set(arm.upper, lowered(arm)); });
+            return wave_arm(*right, raised, swing);
         }
         std::optional<Leg> paw;
         each_leg([&](const Leg& leg) {
@@ -296,27 +300,42 @@ private:
         if (rig_.next(leg.end) != none) set(leg.end, (at_hip * knee).conjugate());
     }
 
-    void swing_arms(double cycle) {
+    struct Arm {
+        uint32_t first, upper, end;
+        int32_t side;
+    };
+
+    template <class Visit>
+    void each_arm(Visit visit) {
         for (const int32_t side : {1, -1}) {
             const uint32_t first = rig_.first(FLG_LIMB_ARM, side);
-            const uint32_t upper = first == none ? none : rig_.find(first, FLG_LIMB_PLACE_UPPER);
-            const uint32_t end = first == none ? none : rig_.find(first, FLG_LIMB_PLACE_END);
-            if (upper == none || end == none) continue;
-            const double swing = side * arm_swing * std::cos(cycle);
-            if (pairs_ != 1) {  // wings, claws
-                set(upper, turned(rig_.forward, side * swing / 2));
-                continue;
-            }
-            // Level arms are lowered first.
-            const Vec3 way = rig_.direction(upper, end);
-            const Vec3 hanging = std::sin(arms_aside) * side * rig_.left - std::cos(arms_aside) * rig_.up;
-            const double rise = way.dot(rig_.up);
-            const bool stays = rise <= -std::cos(arms_aside) || rise > highest_lowered;
-            const Quaternion lowered = stays ? Quaternion::Identity() : Quaternion::FromTwoVectors(way, hanging);
-            set(upper, turned(rig_.left, swing) * lowered);
-            const uint32_t middle = rig_.find(first, FLG_LIMB_PLACE_MIDDLE);
-            if (middle != none) bend(middle, elbow_bend);
+            if (first == none) continue;
+            const Arm arm{first, rig_.find(first, FLG_LIMB_PLACE_UPPER), rig_.find(first, FLG_LIMB_PLACE_END), side};
+            if (arm.upper != none && arm.end != none) visit(arm);
         }
+    }
+
+    // Those who walk on two legs don't keep their arms level.
+    Quaternion lowered(const Arm& arm) const {
+        if (pairs_ != 1) return Quaternion::Identity();
+        const Vec3 way = rig_.direction(arm.upper, arm.end);
+        const Vec3 hanging = std::sin(arms_aside) * arm.side * rig_.left - std::cos(arms_aside) * rig_.up;
+        const double rise = way.dot(rig_.up);
+        const bool stays = rise <= -std::cos(arms_aside) || rise > highest_lowered;
+        return stays ? Quaternion::Identity() : Quaternion::FromTwoVectors(way, hanging);
+    }
+
+    void swing_arms(double cycle) {
+        each_arm([&](const Arm& arm) {
+            const double swing = arm.side * arm_swing * std::cos(cycle);
+            if (pairs_ != 1) {  // wings, claws
+                set(arm.upper, turned(rig_.forward, arm.side * swing / 2));
+                return;
+            }
+            set(arm.upper, turned(rig_.left, swing) * lowered(arm));
+            const uint32_t middle = rig_.find(arm.first, FLG_LIMB_PLACE_MIDDLE);
+            if (middle != none) bend(middle, elbow_bend);
+        });
     }
 
     void wag_tail(double cycle, double by) {
@@ -327,8 +346,9 @@ private:
 
     // The upper arm goes up and aside, and the shoulder turns so that the elbow can lift the forearm. Where it can't
     // turn as far the arm is straight and waves as a whole.
-    void wave_arm(uint32_t first, uint32_t upper, double raised, double swing) {
-        const uint32_t middle = rig_.find(first, FLG_LIMB_PLACE_MIDDLE), end = rig_.find(first, FLG_LIMB_PLACE_END);
+    void wave_arm(const Arm& arm, double raised, double swing) {
+        const uint32_t upper = arm.upper, middle = rig_.find(arm.first, FLG_LIMB_PLACE_MIDDLE);
+        const Quaternion down = lowered(arm);
         const auto aside = [&](double rise) { return (rise * rig_.up - rig_.left).normalized(); };
         if (middle != none) {
             const Vec3 bone = rig_.direction(upper, middle), axis = hinge_axis(middle), goal = aside(upper_arm_rise);
@@ -338,15 +358,15 @@ private:
             const double about = lift.vec().dot(load_vec3(joint.limit_axis));
             const double twist = std::remainder(2 * std::atan2(about, lift.w()), turn);
             if (twist >= joint.limit_twist_min && twist <= joint.limit_twist_max) {
-                set(upper, Quaternion::Identity().slerp(raised, lift));
+                set(upper, down.slerp(raised, lift));
                 bend(middle, raised * (forearm_bend + joint_bend(middle)) + wave_swing * swing);
                 return;
             }
             bend(middle, raised * joint_bend(middle));
         }
-        const Quaternion lift =
-            Quaternion::FromTwoVectors(rig_.direction(upper, middle == none ? end : middle), aside(straight_arm_rise));
-        set(upper, turned(rig_.forward, wave_swing * swing) * Quaternion::Identity().slerp(raised, lift));
+        const Quaternion lift = Quaternion::FromTwoVectors(rig_.direction(upper, middle == none ? arm.end : middle),
+                                                           aside(straight_arm_rise));
+        set(upper, turned(rig_.forward, wave_swing * swing) * down.slerp(raised, lift));
     }
 
     // What straightens a hinge, from rest.

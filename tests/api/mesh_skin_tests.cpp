@@ -231,9 +231,17 @@ TEST(PulledMeshes, Refusals) {
     expect("desc.handles[0].position", [&](FlgPulledDesc&) { handle.position[1] = NAN; });
     expect("desc.handles[0].compliance", [&](FlgPulledDesc&) { handle.compliance = -1; });
     expect("desc.handles[0].radius", [&](FlgPulledDesc&) { handle.radius = INFINITY; });
+    FlgPullHandle two[] = {handle, handle_at(mesh, 0, {0.1f, 0, 0})};
+    const auto take_two = [&](FlgPulledDesc& desc) { desc.handles = two, desc.handle_count = 2; };
+    expect("desc.handles[0] and desc.handles[1] hold one point in two places", take_two);
     FlgPulledDesc desc = flgPulledDefaults();
-    desc.pull = other;
     FlgPulled pulled{};
+    desc.pull = pull;
+    take_two(desc);
+    two[1].compliance = 0.1f;
+    EXPECT_EQ(flgPulledCreate(host.context, &desc, &pulled, nullptr), FLG_OK) << flgErrorGetMessage();
+    desc = flgPulledDefaults();
+    desc.pull = other;
     ASSERT_EQ(flgPulledCreate(host.context, &desc, &pulled, nullptr), FLG_OK);
     expect("desc.previous", [&](FlgPulledDesc& wrong) { wrong.previous = pulled; });
     handle.vertices[1] = 1u << 30;

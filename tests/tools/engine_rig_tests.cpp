@@ -20,6 +20,15 @@ constexpr const char* person = R"({
   ]
 })";
 
+// The outline of a stout person, in one contour: short legs, thick arms.
+constexpr const char* stout = R"({
+  "parts": [{"name": "stout", "contour": [[0, 0.62], [0.2, 0.1], [0.22, 0], [0.62, 0], [0.66, 0.12], [0.7, 0.8],
+    [0.72, 1.3], [0.75, 1.62], [1.5, 1.42], [1.62, 1.62], [1.55, 1.78], [0.7, 2.0], [0.32, 2.05], [0.3, 2.15],
+    [0.45, 2.4], [0.45, 2.8], [0, 3.05], [-0.45, 2.8], [-0.45, 2.4], [-0.3, 2.15], [-0.32, 2.05], [-0.7, 2.0],
+    [-1.55, 1.78], [-1.62, 1.62], [-1.5, 1.42], [-0.75, 1.62], [-0.72, 1.3], [-0.7, 0.8], [-0.66, 0.12], [-0.62, 0],
+    [-0.22, 0], [-0.2, 0.1]]}]
+})";
+
 class RigCommand : public Cli {
 protected:
     void SetUp() override { folder.write("person.json", person); }
@@ -75,7 +84,7 @@ TEST_F(RigCommand, JointsHaveTheNamesOfAStandard) {
     EXPECT_GT(vrm.at("head")[1], vrm.at("hips")[1]);
     EXPECT_GT(vrm.at("leftHand")[0], 1);
     EXPECT_LT(vrm.at("rightFoot")[1], -1);
-    EXPECT_EQ(vrm.animations, std::vector<std::string>{"test"});
+    EXPECT_EQ(vrm.animations, std::vector<std::string>{"swing"});
     EXPECT_GT(written({"--rig", "unity"}).at("LeftLowerArm")[0], 0.5);
     EXPECT_LT(written({"--rig", "unreal"}).at("calf_r")[0], 0);
 }
@@ -97,8 +106,41 @@ TEST_F(RigCommand, InATPoseArmsAreLevel) {
 }
 
 TEST_F(RigCommand, MotionsByName) {
-    const std::vector<std::string> all = {"walk", "idle", "wave", "test"};
+    const std::vector<std::string> all = {"walk", "idle", "wave", "swing"};
     EXPECT_EQ(written({"--motion", "walk,idle,wave,swing"}).animations, all);
+}
+
+// One outline by default: a spine down to the pelvis, elbows and knees, so engines can have it.
+TEST_F(RigCommand, TheOutlineOfAPersonIsAHumanoid) {
+    folder.write("stout.json", stout);
+    done({"skeleton", "stout.json", "-o", "stout.glb", "--quiet", "--rig", "vrm", "--bones", "bones.json"});
+    const Json bones = report("bones.json");
+    const size_t count = bones["joints"].size();
+    EXPECT_GE(count, 17u);
+    EXPECT_LE(count, 24u);
+    // Joints mirror, and none but the spine's lies on the axis.
+    size_t on_axis = 0;
+    for (const Json& joint : bones["joints"]) {
+        const double x = joint["position"][0], y = joint["position"][1];
+        on_axis += std::abs(x) < 1e-6;
+        const auto is_image = [&](const Json& other) {
+            return std::hypot(other["position"][0].get<double>() + x, other["position"][1].get<double>() - y) < 3e-6;
+        };
+        EXPECT_TRUE(std::any_of(bones["joints"].begin(), bones["joints"].end(), is_image)) << joint;
+    }
+    EXPECT_GE(on_axis, 4u);  // pelvis, chest, neck, head
+    // A star's arms are no legs: nothing but its middle is one trunk.
+    Json star = {{"parts", {{{"name", "star"}, {"contour", Json::array()}}}}};
+    for (int i = 0; i < 10; ++i) {
+        const double radius = i % 2 == 0 ? 4 : 1.6, angle = 0.314159265358979 * 2 * i + 1.5707963267948966;
+        star["parts"][0]["contour"].push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    folder.write("star.json", star.dump());
+    done({"skeleton", "star.json", "--quiet", "--bones", "bones.json"});
+    size_t in_the_middle = 0;
+    for (const Json& joint : report("bones.json")["joints"])
+        in_the_middle += std::hypot(joint["position"][0].get<double>(), joint["position"][1].get<double>()) < 1;
+    EXPECT_EQ(in_the_middle, 1u);
 }
 
 TEST_F(RigCommand, AnAvatarHasAnAuthor) {

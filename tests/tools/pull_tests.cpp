@@ -134,7 +134,7 @@ TEST_F(PullCommand, TheSameScriptGivesTheSameBits) {
 // With bones: what is pulled in a pose is undone through the joints, and they do it again.
 TEST_F(PullCommand, BonesMoveMeanwhile) {
     std::string script = lift;
-    script.insert(1, R"("motion": "test", "name": "both", "tolerance": 0, )");
+    script.insert(1, R"("motion": "swing", "name": "both", "tolerance": 0, )");
     folder.write("both.json", script);
     done(with({"-o", "both.glb", "--pull", "both.json", "--pulled", "both.ply", "--pulled-at", "0.5"}));
     const Pulled both((folder / "both.glb").string());

@@ -36,24 +36,38 @@ TEST_F(Rigs, CrossingPartsStretchLess) {
     }
 }
 
-struct Surface {
-    size_t crossing = 0;  // pairs of triangles
-    size_t open_sides = 0, pieces = 0;
+struct SkinSurface {
+    std::vector<float> positions;
+    std::vector<uint32_t> triangles, parts;  // parts: by vertex
 };
 
-Surface look_at(const std::string& path) {
-    Surface out;
+SkinSurface read_surface(const std::string& path) {
+    SkinSurface out;
     FlgSkinFile file = {};
     EXPECT_EQ(flgSkinFileRead(path.c_str(), nullptr, &file), FLG_OK) << flgIoErrorGetMessage();
     FlgSkinView skin = {};
     skin.struct_size = sizeof skin;
     EXPECT_EQ(flgSkinFileGetView(file, &skin), FLG_OK);
-    const std::span<const float> positions(skin.positions, size_t{3} * skin.vertex_count);
-    const std::span<const uint32_t> triangles(skin.triangles, size_t{3} * skin.triangle_count);
-    out.crossing = crossing_triangles(positions, triangles).size();
+    out.positions.assign(skin.positions, skin.positions + size_t{3} * skin.vertex_count);
+    out.triangles.assign(skin.triangles, skin.triangles + size_t{3} * skin.triangle_count);
+    out.parts.assign(skin.vertex_parts, skin.vertex_parts + skin.vertex_count);
+    flgSkinFileRelease(file);
+    return out;
+}
+
+struct Defects {
+    size_t crossing = 0;  // pairs of triangles
+    size_t open_sides = 0, pieces = 0;
+};
+
+Defects look_at(const std::string& path) {
+    Defects out;
+    const SkinSurface skin = read_surface(path);
+    const auto& triangles = skin.triangles;
+    out.crossing = crossing_triangles(skin.positions, triangles).size();
     std::map<std::pair<uint32_t, uint32_t>, int> sides;
-    std::vector<uint32_t> piece(skin.vertex_count);
-    for (uint32_t v = 0; v < skin.vertex_count; ++v) piece[v] = v;
+    std::vector<uint32_t> piece(skin.parts.size());
+    for (uint32_t v = 0; v < piece.size(); ++v) piece[v] = v;
     const auto first = [&](uint32_t v) {
         while (piece[v] != v) v = piece[v] = piece[piece[v]];
         return v;
@@ -64,8 +78,7 @@ Surface look_at(const std::string& path) {
         piece[first(a)] = first(b);
     }
     for (const auto& [side, count] : sides) out.open_sides += count != 2;
-    for (uint32_t v = 0; v < skin.vertex_count; ++v) out.pieces += piece[v] == v;
-    flgSkinFileRelease(file);
+    for (uint32_t v = 0; v < piece.size(); ++v) out.pieces += piece[v] == v;
     return out;
 }
 
@@ -76,7 +89,7 @@ TEST_F(Rigs, CrossingPartsPassWithoutCuttingThroughEachOther) {
             int depth = 0;
             for (Json& part : drawing.json["parts"]) part["depth"] = reversed ? --depth : 0;
             quality(drawing);
-            const Surface surface = look_at((folder / "model.glb").string());
+            const Defects surface = look_at((folder / "model.glb").string());
             EXPECT_EQ(surface.open_sides, 0u) << drawing.name << reversed;
             EXPECT_EQ(surface.pieces, 1u) << drawing.name << reversed;
             // Some triangles fold in creases, where limbs that are cut off each other meet the body. Limbs that cut
@@ -97,6 +110,42 @@ TEST_F(Rigs, DepthAndPairsAreTheHosts) {
     expect_refused({"skeleton", "drawing.json", "-o", "c.glb", "--depth", "one,deep"}, 2, {"--depth", "deep"});
     expect_refused({"skeleton", "drawing.json", "-o", "c.glb", "--apart", "one"}, 2, {"--apart", "PART,PART", "one"});
     expect_refused({"skeleton", "drawing.json", "-o", "c.glb", "--apart", "one,three"}, 1, {"no part three"});
+}
+
+// Arms that lie over the chest hang by their shoulders, and hands lie on it: or behind, as the host says.
+TEST_F(Rigs, HandsLieOnTheChestOrBehindIt) {
+    const std::vector<NamedDrawing> all = crossings();
+    const auto chest = std::find_if(all.begin(), all.end(), [](const auto& d) { return d.name == "arms_on_chest"; });
+    for (const int depth : {0, 1, -1}) {
+        Json drawing = chest->json;
+        if (depth != 0)
+            for (const size_t arm : {5, 6}) drawing["parts"][arm]["depth"] = depth;
+        folder.write("drawing.json", drawing.dump());
+        done({"skeleton", "drawing.json", "-o", "model.glb", "--bones", "bones.json", "--quiet"});
+        const Json bones = report("bones.json");
+        for (const size_t part : {5, 6}) {
+            std::vector<std::array<double, 3>> joints;
+            for (const Json& joint : bones["joints"])
+                if (joint["part"] == part) joints.push_back(joint["position"]);
+            ASSERT_GE(joints.size(), 3u);
+            EXPECT_GT(joints.front()[1], 2.2) << "of part " << part;
+            EXPECT_LT(joints.back()[1], 1) << "of part " << part;
+        }
+        const SkinSurface surface = read_surface((folder / "model.glb").string());
+        // By the side of the drawing's plane that a hand's middle is on.
+        std::array<double, 2> sums{}, counts{};
+        for (size_t v = 0; v < surface.parts.size(); ++v) {
+            const float* at = surface.positions.data() + 3 * v;
+            if (surface.parts[v] < 5 || at[1] > 1.2f) continue;
+            sums[surface.parts[v] - 5] += at[2];
+            ++counts[surface.parts[v] - 5];
+        }
+        for (size_t arm = 0; arm < 2; ++arm) {
+            ASSERT_GT(counts[arm], 20) << "a hand sank";
+            // The torso is some 0.64 thick there, to either side.
+            EXPECT_GT((depth < 0 ? -1 : 1) * sums[arm] / counts[arm], 0.5) << depth;
+        }
+    }
 }
 
 // Legs that are there twice, and overlap.

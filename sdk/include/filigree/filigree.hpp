@@ -1332,7 +1332,8 @@ struct Rig {
         return detail::done(result);
     }
 
-    /// The pose of a motion. Motions repeat without a seam: phase 1 is phase 0. All rotations are within the limits.
+    /// The pose of a motion. Arms of those who stand on two legs hang down in all of them, however they are at rest.
+    /// Motions repeat without a seam: phase 1 is phase 0. All rotations are within the limits.
     ///   phase            share of the cycle, finite
     ///   out_rotations    4 per joint, as FlgSkinAnimation
     ///   out_translation  3: of all roots, metres

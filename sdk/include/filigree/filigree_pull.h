@@ -62,7 +62,8 @@ typedef struct FlgPulledDesc {
     uint32_t handle_count;        /* up to FLG_PULL_MAX_HANDLES */
     const FlgJobOptions* job;
     FlgPull pull;                 /* its job may still run */
-    const FlgPullHandle* handles; /* pins are handles that stay; copied */
+    const FlgPullHandle* handles; /* pins are handles that stay; copied. Two of compliance 0 with the same vertices and
+                                     shares but other positions are refused */
     const float* positions;       /* 3 per vertex, metres: the pose that pulling adds to, as flgSkinDeform gives it;
                                      copied. Null: the mesh at rest. Default null */
     FlgPulled previous;           /* of the same pull, where this one begins; its job may still run. Default null: at

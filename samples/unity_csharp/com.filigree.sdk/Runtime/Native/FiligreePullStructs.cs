@@ -47,7 +47,10 @@ namespace Filigree
         public FlgJobOptions* job;
         /// <summary>its job may still run</summary>
         public FlgPull pull;
-        /// <summary>pins are handles that stay; copied</summary>
+        /// <summary>
+        /// pins are handles that stay; copied. Two of compliance 0 with the same vertices and shares but other
+        /// positions are refused
+        /// </summary>
         public FlgPullHandle* handles;
         /// <summary>
         /// 3 per vertex, metres: the pose that pulling adds to, as flgSkinDeform gives it; copied. Null: the mesh at
