@@ -68,6 +68,33 @@ void BoneGraph::contract(uint32_t bone, uint32_t kept) {
     d.heir = kept;
 }
 
+void BoneGraph::hang_on(uint32_t bone, uint32_t from, uint32_t to) {
+    const uint32_t rest = other(bone, from), part = bones_[bone].part;
+    bones_[bone].gone = true;
+    --joints_[from].degree;
+    --joints_[rest].degree;
+    add_bone(to, rest, part);
+}
+
+Task<void> BoneGraph::append(Pace& pace, BoneGraph& graph, const BoneGraph& other) {
+    const auto joints = static_cast<uint32_t>(graph.joints_.size()), bones = static_cast<uint32_t>(graph.bones_.size());
+    const auto moved = [](uint32_t number, uint32_t by) { return number == no_number ? no_number : number + by; };
+    graph.joints_.resize(joints + other.joints_.size());
+    graph.bones_.resize(bones + other.bones_.size());
+    graph.ends_.resize(graph.ends_.size() + other.ends_.size());
+    co_await each(pace, other.joints_.size(), Cost::tens_of_ns, [&](uint32_t j) {
+        Joint& joint = graph.joints_[joints + j] = other.joints_[j];
+        joint.heir = moved(joint.heir, joints);
+        joint.first = moved(joint.first, 2 * bones);
+        joint.last = moved(joint.last, 2 * bones);
+    });
+    co_await each(pace, other.bones_.size(), Cost::tens_of_ns, [&](uint32_t b) {
+        const Bone& bone = other.bones_[b];
+        graph.bones_[bones + b] = {{bone.joints[0] + joints, bone.joints[1] + joints}, bone.part, bone.gone};
+        for (const uint32_t end : {2 * b, 2 * b + 1}) graph.ends_[2 * bones + end] = moved(other.ends_[end], 2 * bones);
+    });
+}
+
 void BoneGraph::cut_off(uint32_t joint) {
     const uint32_t bone = bone_of(first_end(joint)), rest = other(bone, joint);
     bones_[bone].gone = true;

@@ -68,8 +68,13 @@ public:
     uint32_t split(uint32_t bone, const Vec3& at, double radius);
     // Makes both ends of a bone one: `kept`. Linear in the bones of the other one.
     void contract(uint32_t bone, uint32_t kept);
+    // A bone of joint `from` becomes one of joint `to`.
+    void hang_on(uint32_t bone, uint32_t from, uint32_t to);
     // Removes a joint of degree 1, with its bone.
     void cut_off(uint32_t joint);
+
+    // Adds `other`, whose joints come after those of `graph`.
+    static Task<void> append(Pace& pace, BoneGraph& graph, const BoneGraph& other);
 
     // What comes after an end of the joint's list that is there; begin with first_end.
     uint32_t first_end(uint32_t joint) const { return skip(joints_[joint].first); }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "bones/bone_graph.h"
@@ -11,6 +10,7 @@
 #include "bones/joint_edits.h"
 #include "bones/part_joints.h"
 #include "bones/refinement.h"
+#include "bones/shared_trunks.h"
 #include "runtime/each.h"
 #include "skeletons/point2.h"
 
@@ -27,8 +27,7 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, const P
     const PartSkeleton& skeleton = placed.part->skeleton;
     // What is measured across the axis in the plane, and through the part at right angles to it, on the average.
     const double radius_scale = placed.scale * 0.5 * (1 + placed.thickness);
-    Memory* memory = pace.memory();
-    Buffer<uint32_t> joint_of(skeleton.graph.nodes.size(), memory);
+    Buffer<uint32_t> joint_of(skeleton.graph.nodes.size(), pace.memory());
     co_await each(pace, joint_of.size(), Cost::some_ns, [&](uint32_t node) { joint_of[node] = no_number; });
     const auto end_joint = [&](uint32_t node) {
         const AxisNode& n = skeleton.graph.nodes[node];
@@ -37,43 +36,21 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, const P
         return joint_of[node];
     };
     const uint32_t first = static_cast<uint32_t>(graph.joints().size());
-    const auto add_joint = [&](const Point2& at, double radius) {
-        return graph.add_joint(placed.place(at), radius * radius_scale, number);
-    };
-    // The end of the trunk that two branches share.
-    std::pmr::unordered_map<uint32_t, uint32_t> trunk_ends(memory);
-    const auto trunk_end = [&](uint32_t shared) {
-        const auto [end, is_new] = trunk_ends.emplace(shared, no_number);
-        if (!is_new) return end->second;
-        end->second = end_joint(chosen.trunks[shared].node);
-        for (const SharedTrunk::Joint& joint : chosen.trunks[shared].joints) {
-            const uint32_t next = add_joint(joint.at, joint.radius);
-            graph.add_bone(end->second, next, number);
-            end->second = next;
-        }
-        return end->second;
-    };
     if (skeleton.branches.empty()) end_joint(0);
     Slice slice(Cost::tens_of_ns);
     for (size_t b = 0; b < skeleton.branches.size(); ++b) {
         const AxisBranch& branch = skeleton.branches[b];
         const std::span<const AxisSample> samples(skeleton.samples.data() + branch.begin, branch.end - branch.begin);
         const std::span<const uint32_t> kept = chosen.of(number, b);
-        const uint32_t nodes[] = {branch.from, branch.to};
-        uint32_t before = no_number;
-        const auto go_to = [&](uint32_t joint) {
-            if (before != no_number) graph.add_bone(before, joint, number);
-            before = joint;
-        };
-        for (size_t i = 0; i < kept.size(); ++i) {
-            const bool is_first = i == 0, is_last = i + 1 == kept.size();
-            const uint32_t end = is_last ? 1 : 0;
-            const uint32_t shared = is_first || is_last ? chosen.trunk_of(number, b, end) : no_number;
-            if (is_first && shared != no_number) go_to(trunk_end(shared));
+        uint32_t before = end_joint(branch.from);
+        for (size_t i = 1; i < kept.size(); ++i) {
             const AxisSample& sample = samples[kept[i]];
-            const bool is_node = (is_first || is_last) && shared == no_number;
-            go_to(is_node ? end_joint(nodes[end]) : add_joint(sample.at, 0.5 * (sample.left + sample.right)));
-            if (is_last && shared != no_number) go_to(trunk_end(shared));
+            const uint32_t joint = i + 1 == kept.size()
+                                       ? end_joint(branch.to)
+                                       : graph.add_joint(placed.place(sample.at),
+                                                         0.5 * (sample.left + sample.right) * radius_scale, number);
+            graph.add_bone(before, joint, number);
+            before = joint;
             if (slice.is_over()) co_await pace;
         }
         if (graph.joints().size() > max_joints)
@@ -181,16 +158,22 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     };
     {
         const PartJoints chosen = co_await choose_joints(pace, m);
+        for (const ModelPart& part : m.parts) thresholds.push_back(in_space(part.thresholds));
+        thresholds.push_back(in_space(m.thresholds));
+        // First each part alone: so its joints are the same wherever it is.
         for (uint32_t p = 0; p < m.parts.size(); ++p) {
+            BoneGraph own(memory);
+            co_await add_part(pace, m, p, chosen, own);
+            co_await refine(pace, own, thresholds);
+            if (m.parts[p].thresholds.detail > 0) co_await share_trunks(pace, m.parts[p], thresholds[p].merge, own);
             first_joints.push_back(static_cast<uint32_t>(graph.joints().size()));
-            co_await add_part(pace, m, p, chosen, graph);
-            thresholds.push_back(in_space(m.parts[p].thresholds));
+            co_await BoneGraph::append(pace, graph, own);
+            if (graph.joints().size() > max_joints)
+                throw Failure(FLG_ERROR_LIMIT, "desc.parts have more than %zu joints; larger thresholds make fewer",
+                              max_joints);
         }
     }
     first_joints.push_back(static_cast<uint32_t>(graph.joints().size()));
-    thresholds.push_back(in_space(m.thresholds));
-    // First each part alone: so its joints are the same wherever it is.
-    co_await refine(pace, graph, thresholds);
     // What hangs on a part may lie in it, like an eye in a head.
     for (RefinementThresholds& own : thresholds) own.bulge = 0;
     pace.stage("connect");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bones/bounded_dp.h"
+#include "bones/shared_trunks.h"
 #include "runtime/each.h"
 
 namespace flg {
@@ -160,17 +161,6 @@ private:
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].branch_count is %zu; the part has %zu branches",
                           placed.source, placed.branch_simplify.size(), skeleton.branches.size());
         const Buffer<uint32_t> branches_at = co_await count_branches(p);
-        const size_t first = out_.trunk_at.size();
-        out_.trunk_at.resize(first + skeleton.branches.size(), {no_number, no_number});
-        if (placed.thresholds.detail > 0) {
-            auto trunks = co_await find_shared_trunks(pace_, *placed.part, placed.thresholds.detail);
-            for (SharedTrunk& shared : trunks) {
-                for (const uint32_t b : shared.branches)
-                    out_.trunk_at[first + b][skeleton.branches[b].from == shared.node ? 0 : 1] =
-                        static_cast<uint32_t>(out_.trunks.size());
-                out_.trunks.push_back(std::move(shared));
-            }
-        }
         for (uint32_t b = 0; b < skeleton.branches.size(); ++b) {
             const AxisBranch& branch = skeleton.branches[b];
             const FreeEnds free{branches_at[branch.from] == 1, branches_at[branch.to] == 1};
@@ -201,24 +191,12 @@ private:
         co_return counted;
     }
 
-    // Of a branch, as far as it is none of a trunk's.
-    Piece own_stretch(uint32_t p, uint32_t b, const Samples& samples) const {
-        Piece own{0, static_cast<uint32_t>(samples.size()) - 1};
-        for (const uint32_t end : {0, 1}) {
-            const uint32_t number = out_.trunk_of(p, b, end);
-            if (number == no_number) continue;
-            const SharedTrunk& shared = out_.trunks[number];
-            (end == 0 ? own.from : own.to) = shared.samples[shared.branches[0] == b ? 0 : 1];
-        }
-        return own;
-    }
-
     Task<void> choose_along(uint32_t p, uint32_t b, FreeEnds free) {
         const ModelPart& placed = model_.parts[p];
         const PartSkeleton& skeleton = placed.part->skeleton;
         const auto number = static_cast<uint32_t>(out_.samples.size());
         const Samples samples = samples_of(p, b);
-        const Piece own = own_stretch(p, b, samples);
+        const Piece whole{0, static_cast<uint32_t>(samples.size()) - 1};
         const bool is_own = !placed.branch_simplify.empty() && placed.branch_simplify[b] >= 0;
         const double detail = placed.thresholds.detail;
         Joints joints(pace_.memory());
@@ -229,14 +207,13 @@ private:
         } else {
             double share = is_own ? placed.branch_simplify[b] : placed.thresholds.simplify;
             if (detail > 0 && !is_own) share /= detail;
-            joints = co_await bounded_dp(pace_, placed.part->outline, samples.subspan(own.from, own.to - own.from + 1),
-                                         share * model_.size / placed.scale, model_.shape_weight);
-            for (uint32_t& joint : joints) joint += own.from;
+            joints = co_await bounded_dp(pace_, placed.part->outline, samples, share * model_.size / placed.scale,
+                                         model_.shape_weight);
             if (detail > 0 && !is_own) co_await divide_long(pace_, placed.part->outline, samples, free, detail, joints);
         }
         if (detail > 0 && !is_own && (free.first || free.last) && joints.size() <= most_pieces)
-            limbs_.push_back({p, b, number, length_of(samples, own) * placed.scale,
-                              co_await mean_radius(pace_, samples, own) * placed.scale,
+            limbs_.push_back({p, b, number, length_of(samples, whole) * placed.scale,
+                              co_await mean_radius(pace_, samples, whole) * placed.scale,
                               static_cast<uint32_t>(joints.size())});
         out_.samples.push_back(std::move(joints));
     }

@@ -4,207 +4,214 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "runtime/each.h"
-#include "skeletons/point2.h"
 
 namespace flg {
 namespace {
 
-constexpr uint32_t most_branches = 8;  // at a node
-constexpr double least_length = 0.6;   // of a trunk, by the clearance at its node
-constexpr double least_of_many = 1;    // the same where more than one other branch ends: arms of a star are none
-constexpr double longest_spur = 2;     // by the same
-constexpr double side_by_side = 1;     // share of half the trunk's width: branches nearer to each other are one trunk
+constexpr uint32_t most_branches = 8;     // at a junction: a hub of more is none of a trunk
+constexpr double parallel = 0.766;        // cosine of the angle between limbs beyond
+constexpr double step_length = 1.0 / 16;  // of the trunk's width at the junction
+constexpr int halvings = 40;              // of the last step
+constexpr double least_limb = 0.5;        // what is left of a branch beyond the trunk, of half the trunk's width
+constexpr double near_axis = 1e-9;        // of a part's length
 
-// A branch as it leaves a node.
-struct Way {
-    uint32_t branch;
-    std::span<const AxisSample> samples;
-    bool is_reversed;
+// A point of a branch.
+struct WayPoint {
+    Vec3 at;
+    double radius;
+    size_t bone;  // of the way's
+    double share;
+};
 
-    double step() const { return distance(samples[0].at, samples[1].at); }
-    uint32_t last() const { return static_cast<uint32_t>(samples.size()) - 1; }
-    uint32_t number(uint32_t steps) const { return is_reversed ? last() - steps : steps; }
-    const AxisSample& after(uint32_t steps) const { return samples[number(steps)]; }
+// A branch as it leaves a junction: its joints to the next junction or end, and how far along they are.
+class Way {
+public:
+    Way(const BoneGraph& graph, uint32_t junction, uint32_t bone, Memory* memory)
+        : graph_(&graph), joints_(memory), along_(memory) {
+        add(junction, 0);
+        BoneGraph::Walk walk = graph.begin_walk(junction, bone);
+        do add(walk.joint, walk.length);
+        while (graph.go_on(walk));
+    }
+
+    double length() const { return along_.back(); }
+    const std::pmr::vector<uint32_t>& joints() const { return joints_; }
+
+    WayPoint at(double along) const {
+        size_t bone = 0;
+        while (bone + 2 < along_.size() && along_[bone + 1] < along) ++bone;
+        const double length = along_[bone + 1] - along_[bone];
+        const double share = length > 0 ? std::clamp((along - along_[bone]) / length, 0.0, 1.0) : 0;
+        const BoneGraph::Joint &a = graph_->joints()[joints_[bone]], &b = graph_->joints()[joints_[bone + 1]];
+        return {a.at + share * (b.at - a.at), std::lerp(a.radius, b.radius, share), bone, share};
+    }
+
+private:
+    void add(uint32_t joint, double along) {
+        joints_.push_back(joint);
+        along_.push_back(along);
+    }
+
+    const BoneGraph* graph_;
+    std::pmr::vector<uint32_t> joints_;
+    std::pmr::vector<double> along_;
 };
 
 struct Pair {
-    Way ways[2];
+    const Way *first, *second;
 
-    // Steps along the second one for as long a way along the first.
-    uint32_t beside(uint32_t steps) const {
-        return std::min(static_cast<uint32_t>(std::lround(steps * ways[0].step() / ways[1].step())), ways[1].last());
+    double most() const { return std::min(first->length(), second->length()); }
+    Vec3 middle(double along) const { return (first->at(along).at + second->at(along).at) / 2; }
+    double radius(double along) const { return (first->at(along).radius + second->at(along).radius) / 2; }
+    // `widening`: of half the width in the drawing, by the radius of a joint.
+    bool is_one(double along, double widening) const {
+        const WayPoint a = first->at(along), b = second->at(along);
+        return (a.at - b.at).norm() <= widening * std::min(a.radius, b.radius);
     }
-    SharedTrunk::Joint middle(uint32_t steps) const {
-        const AxisSample &a = ways[0].after(steps), &b = ways[1].after(beside(steps));
-        return {mix(a.at, b.at, 0.5), 0.25 * (a.left + a.right + b.left + b.right)};
+    // Whether the limbs go the same way beyond, over about their trunk's width.
+    bool goes_one_way(double along, double width) const {
+        const Vec3 a = first->at(along + width).at - first->at(along).at;
+        const Vec3 b = second->at(along + width).at - second->at(along).at;
+        return a.dot(b) >= parallel * a.norm() * b.norm();
     }
-    bool is_one(uint32_t steps) const {
-        const AxisSample &a = ways[0].after(steps), &b = ways[1].after(beside(steps));
-        return distance(a.at, b.at) <= side_by_side * 0.5 * std::min(a.left + a.right, b.left + b.right);
-    }
-    // Both branches go on beyond.
-    bool goes_on(uint32_t steps) const { return steps + 1 < ways[0].last() && beside(steps) + 1 < ways[1].last(); }
 };
 
-class Finder {
+class Sharer {
 public:
-    Finder(Pace& pace, const HeldPart& part, double detail)
-        : pace_(pace),
-          part_(part),
-          skeleton_(part.skeleton),
-          detail_(detail),
-          nodes_(pace.memory()),
-          trunks_(pace.memory()) {}
+    Sharer(Pace& pace, const ModelPart& part, double merge, BoneGraph& graph)
+        : pace_(pace), part_(part), merge_(merge), widening_(2 / (1 + part.thickness)), graph_(graph) {}
 
-    Task<std::pmr::vector<SharedTrunk>> find() {
-        co_await list_ways();
-        for (uint32_t n = 0; n < skeleton_.graph.nodes.size(); ++n) {
-            if (nodes_[n].count < 3 || nodes_[n].count > most_branches) continue;
-            const uint32_t image = image_of(n);
-            if (image < n) {
-                co_await repeat_of(image, n);
-            } else {
-                co_await look_at(n, image == n && !skeleton_.twins.empty());
-            }
+    Task<void> share() {
+        const auto count = static_cast<uint32_t>(graph_.joints().size());
+        for (uint32_t j = 0; j < count; ++j) {
+            const uint32_t degree = graph_.is_there(j) ? graph_.joints()[j].degree : 0;
+            if (degree >= 3 && degree <= most_branches) co_await look_at(j);
+            co_await pace_;
         }
-        co_return std::move(trunks_);
     }
 
     // Coroutines that are members take their frames from here.
     operator Pace&() const { return pace_; }
 
 private:
-    struct Node {
-        uint32_t count = 0;
-        std::array<uint32_t, most_branches> ends{};  // twice the branch, one more where it ends here
-    };
-
-    Task<void> list_ways() {
-        nodes_.resize(skeleton_.graph.nodes.size());
-        co_await each(pace_, skeleton_.branches.size(), Cost::some_ns, [&](uint32_t b) {
-            const AxisBranch& branch = skeleton_.branches[b];
-            add(branch.from, 2 * b);
-            add(branch.to, 2 * b + 1);
-        });
-    }
-
-    void add(uint32_t node, uint32_t end) {
-        Node& n = nodes_[node];
-        if (n.count < n.ends.size()) n.ends[n.count] = end;
-        ++n.count;
-    }
-
-    Way way(uint32_t end) const {
-        const AxisBranch& branch = skeleton_.branches[end / 2];
-        return {end / 2, std::span(skeleton_.samples).subspan(branch.begin, branch.end - branch.begin), end % 2 == 1};
-    }
-
-    uint32_t twin(uint32_t branch) const { return skeleton_.twins[branch]; }
-
-    uint32_t image_of(uint32_t node) const {
-        const uint32_t end = nodes_[node].ends[0];
-        if (skeleton_.twins.empty() || twin(end / 2) == end / 2) return node;
-        const AxisBranch& image = skeleton_.branches[twin(end / 2)];
-        return end % 2 == 1 ? image.to : image.from;
-    }
-
-    // On the mirror axis two branches are one trunk only if they are images of each other.
-    Task<void> look_at(uint32_t node, bool is_on_axis) {
-        const std::span<const uint32_t> ends(nodes_[node].ends.data(), nodes_[node].count);
+    Task<void> look_at(uint32_t junction) {
+        std::pmr::vector<Way> ways(pace_.memory());
+        for (uint32_t end = graph_.first_end(junction); end != no_number; end = graph_.next_end(end)) {
+            ways.emplace_back(graph_, junction, BoneGraph::bone_of(end), pace_.memory());
+            co_await pace_;
+        }
         std::optional<Pair> best;
-        uint32_t best_steps = 0;
-        double farthest =
-            (ends.size() - spurs(node) > 3 ? least_of_many : least_length) * skeleton_.graph.nodes[node].clearance;
-        for (uint32_t b = 1; b < ends.size(); ++b) {
-            for (uint32_t a = 0; a < b; ++a) {
-                if (is_on_axis && twin(ends[a] / 2) != ends[b] / 2) continue;
-                const Pair pair{{way(ends[a]), way(ends[b])}};
-                const uint32_t steps = co_await steps_together(pair);
-                if (!pair.goes_on(steps)) continue;
-                const double reach = distance(skeleton_.graph.nodes[node].at, pair.middle(steps).at);
-                if (reach > farthest) best = pair, best_steps = steps, farthest = reach;
+        double best_along = 0, farthest = merge_;
+        for (size_t b = 1; b < ways.size(); ++b)
+            for (size_t a = 0; a < b; ++a) {
+                const Pair pair{&ways[a], &ways[b]};
+                const double along = co_await together(pair, graph_.joints()[junction].radius);
+                if (!is_trunk(junction, pair, along)) continue;
+                const double reach = (pair.middle(along) - graph_.joints()[junction].at).norm();
+                if (reach > farthest) best = pair, best_along = along, farthest = reach;
             }
-        }
-        if (best) co_await add_trunk(node, *best, best_steps);
+        if (!best) co_return;
+        const bool is_inside = co_await stays_inside(junction, *best, best_along);
+        if (is_inside) make_trunk(junction, *best, best_along);
     }
 
-    // Branches that end freely about as far away as the node is from the outline: such as one into a crotch.
-    uint32_t spurs(uint32_t node) const {
-        uint32_t count = 0;
-        for (const uint32_t end : std::span(nodes_[node].ends.data(), nodes_[node].count)) {
-            const AxisBranch& branch = skeleton_.branches[end / 2];
-            const uint32_t tip = end % 2 == 1 ? branch.from : branch.to;
-            const double length = distance(skeleton_.graph.nodes[node].at, skeleton_.graph.nodes[tip].at);
-            count += nodes_[tip].count == 1 && length <= longest_spur * skeleton_.graph.nodes[node].clearance;
-        }
-        return count;
-    }
-
-    // What was found at the mirror image of a node.
-    Task<void> repeat_of(uint32_t image, uint32_t node) {
-        const auto same = [image](const SharedTrunk& shared) { return shared.node == image; };
-        const auto found = std::find_if(trunks_.begin(), trunks_.end(), same);
-        if (found == trunks_.end()) co_return;
-        Pair pair{};
-        for (uint32_t i = 0; i < 2; ++i) {
-            const uint32_t branch = twin(found->branches[i]);
-            pair.ways[i] = way(2 * branch + (skeleton_.branches[branch].from == node ? 0 : 1));
-        }
-        const uint32_t sample = found->samples[0];
-        co_await add_trunk(node, pair, pair.ways[0].is_reversed ? pair.ways[0].last() - sample : sample);
-    }
-
-    Task<void> add_trunk(uint32_t node, Pair pair, uint32_t steps) {
-        SharedTrunk shared{node, {}, {}, std::pmr::vector<SharedTrunk::Joint>(pace_.memory())};
-        shared.branches = {pair.ways[0].branch, pair.ways[1].branch};
-        shared.samples = {pair.ways[0].number(steps), pair.ways[1].number(pair.beside(steps))};
-        const double length = distance(skeleton_.graph.nodes[node].at, pair.middle(steps).at);
-        const uint32_t pieces = pieces_of(length, 2 * pair.middle(steps / 2).radius, detail_);
-        for (uint32_t k = 1; k <= pieces; ++k) shared.joints.push_back(pair.middle(steps * k / pieces));
-        const bool is_inside = co_await stays_inside(shared, pair, steps);
-        if (is_inside) trunks_.push_back(std::move(shared));
-    }
-
-    Task<uint32_t> steps_together(Pair pair) const {
-        uint32_t steps = 0;
+    // How far along both.
+    Task<double> together(Pair pair, double radius) const {
+        const double step = 2 * step_length * widening_ * radius;
+        if (!(step > 0)) co_return 0;
+        double along = 0;
         Slice slice(Cost::tens_of_ns);
-        while (pair.goes_on(steps) && pair.is_one(steps + 1)) {
-            ++steps;
+        while (along + step < pair.most() && pair.is_one(along + step, widening_)) {
+            along += step;
             if (slice.is_over()) co_await pace_;
         }
-        co_return steps;
+        double beyond = std::min(along + step, pair.most());
+        for (int i = 0; i < halvings; ++i) {
+            const double middle = (along + beyond) / 2;
+            (pair.is_one(middle, widening_) ? along : beyond) = middle;
+        }
+        co_return along;
     }
 
-    Task<bool> stays_inside(const SharedTrunk& shared, Pair pair, uint32_t steps) const {
-        Point2 at = skeleton_.graph.nodes[shared.node].at;
-        for (const SharedTrunk::Joint& joint : shared.joints) {
-            const bool is_inside = co_await lies_inside(at, joint.at);
+    bool is_trunk(uint32_t junction, const Pair& pair, double along) const {
+        const double half_width = widening_ * pair.radius(along);
+        if (pair.most() - along < least_limb * half_width || !pair.goes_one_way(along, 2 * half_width)) return false;
+        return graph_.joints()[junction].hold != BoneGraph::Hold::middle || is_on_axis(pair.middle(along));
+    }
+    bool is_on_axis(const Vec3& at) const {
+        const HeldPart& part = *part_.part;
+        return part.mirror && std::abs(part.mirror->side(part_.drawn(at))) <= near_axis * part.length;
+    }
+
+    uint32_t pieces(uint32_t junction, const Pair& pair, double along) const {
+        const double length = (pair.middle(along) - graph_.joints()[junction].at).norm();
+        return pieces_of(length, 2 * widening_ * pair.radius(along / 2), part_.thresholds.detail);
+    }
+
+    Task<bool> stays_inside(uint32_t junction, Pair pair, double along) const {
+        const uint32_t count = pieces(junction, pair, along);
+        Vec3 from = graph_.joints()[junction].at;
+        for (uint32_t k = 1; k <= count; ++k) {
+            const Vec3 to = pair.middle(along * k / count);
+            const bool is_inside = co_await lies_inside(from, to);
             if (!is_inside) co_return false;
-            at = joint.at;
+            from = to;
         }
-        const bool first = co_await lies_inside(at, pair.ways[0].after(steps).at);
-        const bool second = co_await lies_inside(at, pair.ways[1].after(pair.beside(steps)).at);
+        const bool first = co_await lies_inside(from, pair.first->at(along).at);
+        const bool second = co_await lies_inside(from, pair.second->at(along).at);
         co_return first&& second;
     }
 
-    Task<bool> lies_inside(Point2 a, Point2 b) const {
+    Task<bool> lies_inside(Vec3 from, Vec3 to) const {
+        const Contour& outline = part_.part->outline;
+        const Point2 a = part_.drawn(from), b = part_.drawn(to);
         bool meets = false;
         Slice slice(Cost::tens_of_ns);
-        for (Portion edges(slice, 0, part_.outline.size()); !meets && edges.next();) {
-            meets = meets_edges(part_.outline, a, b, edges.begin, edges.end);
+        for (Portion edges(slice, 0, outline.size()); !meets && edges.next();) {
+            meets = meets_edges(outline, a, b, edges.begin, edges.end);
             if (edges.is_over()) co_await pace_;
         }
         co_return !meets;
     }
 
+    void make_trunk(uint32_t junction, const Pair& pair, double along) {
+        const uint32_t count = pieces(junction, pair, along);
+        struct Made {
+            Vec3 at;
+            double radius;
+        };
+        std::pmr::vector<Made> trunk(pace_.memory());
+        for (uint32_t k = 1; k <= count; ++k)
+            trunk.push_back({pair.middle(along * k / count), pair.radius(along * k / count)});
+        const uint32_t limbs[2] = {cut_out(junction, *pair.first, along), cut_out(junction, *pair.second, along)};
+        uint32_t end = junction;
+        for (const Made& made : trunk) {
+            const uint32_t next = graph_.add_joint(made.at, made.radius, graph_.joints()[junction].part);
+            graph_.joints()[next].hold = graph_.joints()[junction].hold;
+            graph_.add_bone(end, next, graph_.joints()[junction].part);
+            end = next;
+        }
+        for (const uint32_t limb : limbs) graph_.hang_on(graph_.bone_between(junction, limb), junction, end);
+    }
+
+    // The branch begins at a new joint there; what was between becomes the junction.
+    uint32_t cut_out(uint32_t junction, const Way& way, double along) {
+        const WayPoint place = way.at(along);
+        const auto& joints = way.joints();
+        const uint32_t bone = graph_.bone_between(joints[place.bone], joints[place.bone + 1]);
+        const uint32_t limb = graph_.split(bone, place.at, place.radius);
+        graph_.joints()[limb].own_degree = no_number;
+        for (size_t i = 1; i <= place.bone; ++i) graph_.contract(graph_.bone_between(junction, joints[i]), junction);
+        return limb;
+    }
+
     Pace& pace_;
-    const HeldPart& part_;
-    const PartSkeleton& skeleton_;
-    const double detail_;
-    std::pmr::vector<Node> nodes_;  // by node
-    std::pmr::vector<SharedTrunk> trunks_;
+    const ModelPart& part_;
+    const double merge_, widening_;
+    BoneGraph& graph_;
 };
 
 }  // namespace
@@ -216,9 +223,9 @@ uint32_t pieces_of(double length, double width, double detail) {
     return static_cast<uint32_t>(std::clamp(std::round(bones_a_doubling * std::log2(1 + aspect * detail)), 1.0, most));
 }
 
-Task<std::pmr::vector<SharedTrunk>> find_shared_trunks(Pace& pace, const HeldPart& part, double detail) {
-    Finder finder(pace, part, detail);
-    co_return co_await finder.find();
+Task<void> share_trunks(Pace& pace, const ModelPart& part, double merge, BoneGraph& graph) {
+    Sharer sharer(pace, part, merge, graph);
+    co_await sharer.share();
 }
 
 }  // namespace flg

@@ -242,7 +242,7 @@ TEST_F(PullCommand, BadScriptsAreRefusedByPlaceAndValue) {
             {"handles[0].keys[1]: all keys of a handle must be positions, or all moves"});
     refused(R"({"radius": -2, "handles": [{"at": [4, 0.5, 0], "keys": [)" + key + "]}]}", {"radius: "});
     refused(R"({"motion": "dance", "handles": [{"at": [4, 0.5, 0], "keys": [)" + key + "]}]}",
-            {"motion: the model has no motion 'dance'; it has test"});
+            {"motion: the model has no motion 'dance'; it has swing"});
     const std::vector<std::string> plain = {"skeleton", "bar.poly.txt", "-o", "a.glb"};
     const auto usage = [&](std::vector<std::string> more, const std::string& words) {
         more.insert(more.begin(), plain.begin(), plain.end());

@@ -63,8 +63,8 @@ struct Defects {
 Defects look_at(const std::string& path) {
     Defects out;
     const SkinSurface skin = read_surface(path);
-    const auto& triangles = skin.triangles;
-    out.crossing = crossing_triangles(skin.positions, triangles).size();
+    const std::vector<uint32_t>& triangles = skin.triangles;
+    out.crossing = crossing_triangles<float>(skin.positions, triangles).size();
     std::map<std::pair<uint32_t, uint32_t>, int> sides;
     std::vector<uint32_t> piece(skin.parts.size());
     for (uint32_t v = 0; v < piece.size(); ++v) piece[v] = v;
