@@ -54,11 +54,9 @@ public:
         return ends[0] == joint ? ends[1] : ends[0];
     }
     double length(uint32_t bone) const;
-    // Whether its part ends or forks here.
-    bool is_end(uint32_t joint) const {
-        const Joint& j = joints_[joint];
-        return (j.own_degree == no_number ? j.degree : j.own_degree) != 2;
-    }
+    // Whether its part ends or forks here; whether it forks.
+    bool is_end(uint32_t joint) const { return own_degree(joint) != 2; }
+    bool is_junction(uint32_t joint) const { return own_degree(joint) > 2; }
     // The bone between two joints, no_number: there is none. Linear in the first one's bones.
     uint32_t bone_between(uint32_t a, uint32_t b) const;
 
@@ -99,6 +97,10 @@ private:
         return end;
     }
     void link(uint32_t joint, uint32_t end);
+    uint32_t own_degree(uint32_t joint) const {
+        const Joint& j = joints_[joint];
+        return j.own_degree == no_number ? j.degree : j.own_degree;
+    }
 
     std::pmr::vector<Joint> joints_;
     std::pmr::vector<Bone> bones_;

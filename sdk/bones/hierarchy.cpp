@@ -428,10 +428,12 @@ private:
         const BoneGraph::Joint &a = graph_.joints()[ends[0]], &b = graph_.joints()[ends[1]];
         const Vec3 at = a.at + share * (b.at - a.at);
         const double radius = std::lerp(a.radius, b.radius, share);
-        // Where other parts hang is not asked: what is in the middle must not depend on them.
+        // Where other parts hang is not asked: what is in the middle must not depend on them. Between two girdles the
+        // middle is on the spine.
         const uint32_t own = co_await nearest_own(p, at, true);
-        if (own != no_number && (graph_.joints()[own].at - at).norm() <= std::max(collapse_, middle_at_joint * radius))
-            co_return own;
+        const bool is_spine = graph_.is_junction(ends[0]) && graph_.is_junction(ends[1]);
+        const double near = is_spine ? 0 : middle_at_joint * radius;
+        if (own != no_number && (graph_.joints()[own].at - at).norm() <= std::max(collapse_, near)) co_return own;
         if (share <= 0 || share >= 1) co_return ends[share <= 0 ? 0 : 1];
         const uint32_t joint = graph_.split(bone, at, radius);
         co_return joint;

@@ -105,9 +105,11 @@ struct FreeEnds {
     bool first, last;
 };
 
-// Bones that are long for their width in several.
+// Bones that are long for their width in several. A limb that begins in a trunk and has no joint but where it leaves
+// that bends once more.
 Task<void> divide_long(Pace& pace, const Contour& outline, Samples samples, FreeEnds free, double detail,
                        Joints& joints) {
+    const bool has_no_elbow = free.first != free.last && joints.size() <= 3;
     Joints all(pace.memory());
     for (size_t i = 0; i + 1 < joints.size(); ++i) {
         const Piece bone{joints[i], joints[i + 1]};
@@ -115,7 +117,7 @@ Task<void> divide_long(Pace& pace, const Contour& outline, Samples samples, Free
         const double length = length_of(samples, bone), width = 2 * radius;
         uint32_t pieces = pieces_of(length, width, detail);
         const bool is_free = (i == 0 && free.first) || (i + 2 == joints.size() && free.last);
-        if (is_free && length * detail >= bends * width) pieces = std::max(pieces, 2u);
+        if (has_no_elbow && is_free && length * detail >= bends * width) pieces = std::max(pieces, 2u);
         all.push_back(bone.from);
         if (pieces == 1) continue;
         const Joints between = co_await divide(pace, outline, samples, bone, pieces, radius);

@@ -20,6 +20,7 @@ constexpr double no_rise = 1e-9;        // of the drawing's size
 constexpr double least_reach = 0.3;     // of `hold`: no part rises faster
 constexpr double fork = 2;              // of `hold`: up to there an overlap that begins where parts hang is a fork
 constexpr double broad = 3;             // of a part's radius: the same with what bears it, from `hold` on
+constexpr double half_as_broad = 1.5;   // the same where their depths differ
 constexpr double gentle = 0.4, steepest = 1.5;  // a rise, by its reach
 constexpr double within = 0.6;                  // of the height of what a part hangs on, that it may hang off the joint
 constexpr uint32_t sweeps = 4;                  // over a raster's values outside
@@ -411,8 +412,8 @@ private:
         if (goes_on < 0 || pair.bones_cross) return true;
         if (bears_one(pair)) {
             const uint32_t limb = pair.parts[pair.before[0] == bears_other ? 1 : 0];
-            if (drawn_.hung[pair.parts[0]].depth != drawn_.hung[pair.parts[1]].depth) return true;
-            return goes_on > broad * shapes_[limb].radius();
+            const bool is_asked = drawn_.hung[pair.parts[0]].depth != drawn_.hung[pair.parts[1]].depth;
+            return goes_on > (is_asked ? half_as_broad : broad) * shapes_[limb].radius();
         }
         return total(pair, 0, met.ways[0]) > fork * pair.hold[0] && total(pair, 1, met.ways[1]) > fork * pair.hold[1];
     }
