@@ -64,7 +64,8 @@ private:
 
 // points: d numbers each; the grid's box has them and all obstacles, with a tenth of its size around. Obstacles outlive
 // the grid. coarser: a factor of the spacing, at least 1. Throws a Failure: sides of obstacles that there are not, or
-// that have no outside, directions without length. About 1 ns a node; with sides 1 us, and more where a side's extension is grazed.
+// that have no outside, directions without length. About 1 ns a node; with sides 1 us, and more where a side's
+// extension is grazed.
 Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
                                  std::span<const ObstacleSide> sides, double coarser = 1);
 
