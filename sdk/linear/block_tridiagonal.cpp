@@ -111,12 +111,14 @@ void BlockTridiagonal::substitute_block(uint32_t i, uint32_t next, const double*
     }
 }
 
-// The sizes of curves on surfaces in R^3, of barriers in R^4, image manifolds and rotations have their own code.
+// The sizes of curves on surfaces in R^3, of barriers over the plane, surfaces and space, image manifolds and rotations
+// have their own code.
 void BlockTridiagonal::dispatch_eliminate(uint32_t i, uint32_t next, double* border, double* next_border,
                                           bool has_next) {
     switch (size_) {
         case 2: return eliminate_block<2>(i, next, border, next_border, has_next);
         case 5: return eliminate_block<5>(i, next, border, next_border, has_next);
+        case 6: return eliminate_block<6>(i, next, border, next_border, has_next);
         case 7: return eliminate_block<7>(i, next, border, next_border, has_next);
         case 8: return eliminate_block<8>(i, next, border, next_border, has_next);
         case 12: return eliminate_block<12>(i, next, border, next_border, has_next);
@@ -128,6 +130,7 @@ void BlockTridiagonal::dispatch_substitute(uint32_t i, uint32_t next, const doub
     switch (size_) {
         case 2: return substitute_block<2>(i, next, border, has_next);
         case 5: return substitute_block<5>(i, next, border, has_next);
+        case 6: return substitute_block<6>(i, next, border, has_next);
         case 7: return substitute_block<7>(i, next, border, has_next);
         case 8: return substitute_block<8>(i, next, border, has_next);
         case 12: return substitute_block<12>(i, next, border, has_next);

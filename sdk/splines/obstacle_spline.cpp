@@ -12,6 +12,7 @@
 #include "core/failure.h"
 #include "splines/manifolds/coordinates.h"
 #include "splines/obstacles/clearance.h"
+#include "splines/obstacles/evaluations.h"
 #include "splines/obstacles/obstacle_path.h"
 #include "splines/obstacles/surface_barrier.h"
 #include "splines/spline.h"
@@ -29,7 +30,17 @@ constexpr double rough = 1e-2;        // the tolerance before the last one
 constexpr double margin_share = 0.1, spare_share = 0.25, max_margin = 5;
 constexpr double allowance = 2e-7;  // of the scene's size: what rounding may do
 constexpr double least_way = 0.01;  // of the margin: chords of the first chain are clear by
-constexpr uint32_t max_halvings = 6, max_parts = 16, max_passes = 6, max_finer = 4;
+constexpr uint32_t max_halvings = 6, max_parts = 16, max_passes = 6;
+// On a barrier before the last one: what is more changes little in the end.
+constexpr uint32_t descent_rounds = 16, descent_work = 80;
+constexpr uint32_t settle_work = 800;  // what takes more has stalled
+
+// From the beginning, where the one before did not do: so many times the nodes that are wanted, of which the barriers
+// before the last one see a part.
+struct Attempt {
+    uint32_t finer, coarse;
+};
+constexpr Attempt attempts[] = {{1, 4}, {1, 1}, {4, 1}};
 
 // The diameter of all that there is.
 double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
@@ -79,17 +90,17 @@ private:
 
 // Around the obstacles.
 Task<void> find_beginning(Pace& pace, const SplineRequest& request, const ObstacleSet& wider, double margin,
-                          GivenPoints given, FirstCurve& first) {
+                          GivenPoints given, FirstCurve& first, Evaluations& evaluations) {
     const ManifoldProduct& held = *request.out->manifold;
     if (held.kind != ManifoldKind::space) {
         co_await refuse_inside(pace, wider, given.values, margin);
         co_await find_first_curve(pace, held, given, first);
         co_await lead_around(pace, static_cast<const Hypersurface&>(*held.manifold), wider, least_way * margin, given,
-                             first);
+                             first, evaluations);
         co_return;
     }
     const std::span<const ObstacleSide> sides(request.sides.data(), request.sides.size());
-    ObstaclePath path = co_await obstacle_path(pace, wider, given.values, given.closed, sides, margin);
+    ObstaclePath path = co_await obstacle_path(pace, wider, given.values, given.closed, sides, margin, &evaluations);
     first.points = std::move(path.points);
     for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
 }
@@ -140,15 +151,26 @@ private:
     std::pmr::vector<double> lengths_;
 };
 
-// So many intervals a segment as place_nodes() gave it, and more where their chords are not clear.
-Task<void> place_around(Pace& pace, const ObstacleSet& set, const FirstCurve& first, const SplineProblem& problem,
-                        double margin, Chain& out) {
-    const uint32_t d = set.dimension(), segments = static_cast<uint32_t>(first.ends.size()),
-                   nodes = static_cast<uint32_t>(problem.points.size() / d);
-    out.reserve(2 * size_t{nodes}, d);
+// How many intervals place_nodes() gave each segment.
+Task<Buffer<uint32_t>> intervals_of(Pace& pace, const SplineProblem& problem, uint32_t segments, uint32_t dimension) {
+    const auto nodes = static_cast<uint32_t>(problem.points.size() / dimension);
+    Buffer<uint32_t> out(segments, pace.memory());
+    co_await each(pace, segments, Cost::some_ns, [&](uint32_t s) {
+        out[s] = (s + 1 < problem.knots.size() ? problem.knots[s + 1] : nodes) - problem.knots[s];
+    });
+    co_return out;
+}
+
+// A `coarse`-th of that many intervals a segment, and more where their chords are not clear.
+Task<void> place_around(Pace& pace, const ObstacleSet& set, const FirstCurve& first, const Buffer<uint32_t>& wanted,
+                        uint32_t coarse, double margin, Chain& out) {
+    const uint32_t d = set.dimension(), segments = static_cast<uint32_t>(first.ends.size());
+    size_t nodes = 0;
+    co_await each(pace, segments, Cost::some_ns, [&](uint32_t s) { nodes += wanted[s] / coarse + 1; });
+    out.reserve(2 * nodes, d);
     for (uint32_t s = 0; s < segments; ++s) {
         const Polyline line(first, s, d, pace.memory());
-        const uint32_t intervals = (s + 1 < problem.knots.size() ? problem.knots[s + 1] : nodes) - problem.knots[s];
+        const uint32_t intervals = std::max(wanted[s] / coarse, std::min(wanted[s], 2u));
         out.knots.push_back(static_cast<uint32_t>(out.points.size() / d));
         for (uint32_t i = 0; i < intervals; ++i) {
             // Halves of halves: `part` of 2^level.
@@ -172,29 +194,18 @@ Task<void> place_around(Pace& pace, const ObstacleSet& set, const FirstCurve& fi
             }
         }
     }
-    if (problem.closed) co_return;
+}
+
+// The last node of an open chain.
+void finish(const FirstCurve& first, uint32_t d, Chain& out) {
     out.knots.push_back(static_cast<uint32_t>(out.points.size() / d));
     out.points.insert(out.points.end(), first.points.end() - d, first.points.end());
 }
 
-// Intervals that trespass get more nodes, the more the deeper they are, and so do their neighbours, so that nodes come
-// to stand before and behind what they pass. New nodes are on the chords.
-Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint32_t d, bool closed, double margin,
-                  Chain& chain) {
-    const auto nodes = static_cast<uint32_t>(chain.points.size() / d), intervals = closed ? nodes : nodes - 1;
-    Buffer<uint8_t> parts(intervals, pace.memory());
-    co_await each(pace, intervals, Cost::some_ns, [&](uint32_t i) { parts[i] = 1; });
-    co_await each(pace, trespasses.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        const Trespass& trespass = trespasses[i];
-        const double wanted = std::ceil(trespass.depth / margin);
-        const auto own = static_cast<uint8_t>(std::clamp(wanted, 2.0, double{max_parts}));
-        const uint8_t beside = own / 2;
-        parts[trespass.interval] = std::max(parts[trespass.interval], own);
-        const uint32_t before = (trespass.interval + intervals - 1) % intervals,
-                       after = (trespass.interval + 1) % intervals;
-        parts[before] = std::max(parts[before], beside);
-        parts[after] = std::max(parts[after], beside);
-    });
+// Each interval becomes parts[i], new nodes on its chord.
+Task<void> split(Pace& pace, const Buffer<uint8_t>& parts, uint32_t d, bool closed, Chain& chain) {
+    const auto nodes = static_cast<uint32_t>(chain.points.size() / d);
+    const auto intervals = static_cast<uint32_t>(parts.size());
     size_t count_of_all = closed ? 0 : 1;
     co_await each(pace, intervals, Cost::some_ns, [&](uint32_t i) { count_of_all += parts[i]; });
     Chain finer(pace.memory());
@@ -215,6 +226,39 @@ Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint
         }
     });
     chain = std::move(finer);
+}
+
+// Intervals that trespass get more nodes, the more the deeper they are, and so do their neighbours, so that nodes come
+// to stand before and behind what they pass. New nodes are on the chords.
+Task<void> refine(Pace& pace, const std::pmr::vector<Trespass>& trespasses, uint32_t d, bool closed, double margin,
+                  Chain& chain) {
+    const auto nodes = static_cast<uint32_t>(chain.points.size() / d), intervals = closed ? nodes : nodes - 1;
+    Buffer<uint8_t> parts(intervals, pace.memory());
+    co_await each(pace, intervals, Cost::some_ns, [&](uint32_t i) { parts[i] = 1; });
+    co_await each(pace, trespasses.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Trespass& trespass = trespasses[i];
+        const double wanted = std::ceil(trespass.depth / margin);
+        const auto own = static_cast<uint8_t>(std::clamp(wanted, 2.0, double{max_parts}));
+        const uint8_t beside = own / 2;
+        parts[trespass.interval] = std::max(parts[trespass.interval], own);
+        const uint32_t before = (trespass.interval + intervals - 1) % intervals,
+                       after = (trespass.interval + 1) % intervals;
+        parts[before] = std::max(parts[before], beside);
+        parts[after] = std::max(parts[after], beside);
+    });
+    co_await split(pace, parts, d, closed, chain);
+}
+
+// Intervals that are longer than an even share of those wanted become several.
+Task<void> densify(Pace& pace, const Buffer<uint32_t>& wanted, uint32_t d, bool closed, Chain& chain) {
+    Buffer<uint8_t> parts(chain.shares.size(), pace.memory());
+    uint32_t segment = 0;
+    co_await each(pace, parts.size(), Cost::some_ns, [&](uint32_t i) {
+        if (segment + 1 < wanted.size() && chain.knots[segment + 1] == i) ++segment;
+        parts[i] =
+            static_cast<uint8_t>(std::clamp(std::round(chain.shares[i] * wanted[segment]), 1.0, double{max_parts}));
+    });
+    co_await split(pace, parts, d, closed, chain);
 }
 
 // The chain on the barrier, as it is now. Given points that are nearer than the nodes' margin are moved out.
@@ -243,28 +287,15 @@ Task<void> lift_chain(Pace& pace, const Barrier& barrier, const Chain& chain, Sp
     });
 }
 
-// How often nodes may still be put onto the manifold.
-class Evaluations {
-public:
-    explicit Evaluations(uint64_t most) : most_(most > 0 ? most : UINT64_MAX), left_(most_) {}
-
-    bool are_spent() const { return left_ == 0; }
-    bool are_half_spent() const { return left_ < most_ / 2; }
-    uint32_t of_curves(uint32_t nodes) const {
-        return static_cast<uint32_t>(std::clamp<uint64_t>(left_ / nodes, 1, UINT32_MAX));
-    }
-    void spend(uint64_t count) { left_ -= std::min(count, left_); }
-
-private:
-    uint64_t most_, left_;
-};
-
-// The chain goes to where its energy is least on the barrier. Given points stay, to the bit.
-Task<void> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& optimizer, Spline& out, Chain& chain,
-                       Evaluations& evaluations) {
+// The chain goes to where its energy is least on the barrier. Given points stay, to the bit. False where it can't be
+// put onto the barrier.
+Task<bool> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& optimizer, Spline& out, Chain& chain) {
     const uint32_t d = barrier.manifold().ambient() - 1;
-    co_await run_optimizer(pace, optimizer, out);
-    evaluations.spend(uint64_t{optimizer.report().projections + 1} * optimizer.nodes());
+    try {
+        co_await run_optimizer(pace, optimizer, out);
+    } catch (const OffSurface&) {
+        co_return false;
+    }
     size_t knot = 0;
     co_await each(pace, optimizer.nodes(), Cost::some_ns, [&](uint32_t i) {
         if (knot < chain.knots.size() && chain.knots[knot] == i) {
@@ -273,6 +304,7 @@ Task<void> minimize_on(Pace& pace, const Barrier& barrier, SplineOptimizer& opti
         }
         std::copy_n(optimizer.points() + size_t{i} * (d + 1), d, &chain.points[size_t{i} * d]);
     });
+    co_return true;
 }
 
 // What stays: the optimizer's, with given points where they were given.
@@ -294,8 +326,10 @@ struct Leave {
 };
 
 // Of the chain, and of the cubic spline through it if it bends.
-Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& optimizer, const SplineProblem& problem,
-                   const Chain& chain, const Leave& leave, std::pmr::vector<Trespass>& out) {
+// Returns how many places were looked at.
+Task<uint64_t> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& optimizer,
+                       const SplineProblem& problem, const Chain& chain, const Leave& leave,
+                       std::pmr::vector<Trespass>& out) {
     const uint32_t d = set.dimension(), nodes = optimizer.nodes();
     Moments moments(nodes, d, problem.closed, 0, pace.memory());
     co_await each(pace, moments.steps().size(), Cost::some_ns,
@@ -311,7 +345,7 @@ Task<void> examine(Pace& pace, const ObstacleSet& set, const SplineOptimizer& op
                              {leave.allowed.data(), leave.allowed.size()},
                              {leave.spare.data(), leave.spare.size()},
                              problem.closed};
-    co_await find_trespasses(pace, set, pieces, out);
+    co_return co_await find_trespasses(pace, set, pieces, out);
 }
 
 // evaluations: that were used up; 0: they were not.
@@ -374,41 +408,60 @@ struct Search {
     Chain& chain;
     Evaluations& evaluations;
     std::pmr::vector<Trespass> trespasses;  // of what was looked at last
-    bool has_result = false;
+    double result_radius = HUGE_VAL;        // of the barrier that the result is from
+    bool can_project = true;
+    bool is_cut_short = false;  // the last minimum, by evaluations
+
+    bool has_result() const { return result_radius < HUGE_VAL; }
 };
 
-// Minimizes on the barrier, as it is.
-Task<void> minimize(Pace& pace, Search& s, const Barrier& barrier, std::optional<SplineOptimizer>& optimizer) {
+// Minimizes on the barrier, as it is. False where that can't be begun.
+Task<bool> minimize(Pace& pace, Search& s, const Barrier& barrier, uint32_t most_work,
+                    std::optional<SplineOptimizer>& optimizer) {
     co_await lift_chain(pace, barrier, s.chain, s.problem);
-    s.problem.max_projections = s.evaluations.of_curves(static_cast<uint32_t>(s.chain.shares.size()) + 1);
+    const uint32_t left = s.evaluations.of_curves(static_cast<uint32_t>(s.chain.shares.size()) + 1);
+    s.problem.max_work = std::min(left, most_work);
     optimizer.emplace(s.problem, pace.memory());
-    co_await minimize_on(pace, barrier, *optimizer, s.out, s.chain, s.evaluations);
+    s.can_project = co_await minimize_on(pace, barrier, *optimizer, s.out, s.chain);
+    const SplineReport& report = optimizer->report();
+    const uint64_t work = uint64_t{report.rounds} + report.projections + 1;
+    s.evaluations.spend(work * optimizer->nodes());
+    s.is_cut_short = report.ending == SplineEnding::rounds && work > left;
+    if (s.is_cut_short) s.evaluations.spend_all();
+    co_return s.can_project;
 }
 
-// Whether all of it is clear: then it is a result, until there is a better one.
-Task<bool> accept(Pace& pace, Search& s, SplineOptimizer& optimizer) {
+// Whether all of it is clear: then it is a result, until there is one of a narrower barrier.
+Task<bool> accept(Pace& pace, Search& s, double radius, SplineOptimizer& optimizer) {
     const Leave leave = co_await leave_of(pace, s.set, s.chain, s.scene, s.problem.closed);
     s.trespasses.clear();
-    co_await examine(pace, s.set, optimizer, s.problem, s.chain, leave, s.trespasses);
+    const uint64_t looks = co_await examine(pace, s.set, optimizer, s.problem, s.chain, leave, s.trespasses);
+    s.evaluations.spend_looks(looks);
     if (!s.trespasses.empty()) co_return false;
+    if (radius > s.result_radius) co_return true;
     co_await keep_chain(pace, optimizer, s.chain, s.out);
-    s.has_result = true;
+    s.result_radius = radius;
     co_return true;
 }
 
-// On barriers whose radius shrinks to the last one.
-Task<void> descend(Pace& pace, Search& s, Barrier& barrier) {
-    const double tolerance = s.problem.tolerance;
+// On barriers whose radius shrinks to that before the last one or, where `to_last`, to that.
+Task<void> descend(Pace& pace, Search& s, Barrier& barrier, bool to_last) {
+    const double tolerance = s.problem.tolerance, last = s.scene.last_radius;
+    const uint32_t rounds = s.problem.max_rounds;
     s.problem.tolerance = rough;
-    for (double radius = barrier.first_radius(); radius > s.scene.last_radius && !s.evaluations.are_spent();
-         radius = std::max(radius * shrink, s.scene.last_radius)) {
+    s.problem.max_rounds = std::min(rounds, descent_rounds);
+    for (double radius = barrier.first_radius(); !s.evaluations.are_spent() && (to_last || radius > last);
+         radius = std::max(radius * shrink, last)) {
         barrier.set_radius(radius);
         std::optional<SplineOptimizer> optimizer;
-        co_await minimize(pace, s, barrier, optimizer);
-        if (s.evaluations.are_half_spent()) co_await accept(pace, s, *optimizer);
+        const bool begins = co_await minimize(pace, s, barrier, descent_work, optimizer);
+        if (!begins) break;
+        co_await accept(pace, s, radius, *optimizer);
+        if (radius == last) break;
     }
-    barrier.set_radius(s.scene.last_radius);
+    barrier.set_radius(last);
     s.problem.tolerance = tolerance;
+    s.problem.max_rounds = rounds;
 }
 
 // On the last barrier, until all of the curve is clear: with more nodes where it is not, which then keep farther away,
@@ -418,8 +471,9 @@ Task<bool> settle(Pace& pace, Search& s, const Barrier& barrier) {
     double margin = s.scene.margin;
     for (uint32_t pass = 0; !s.evaluations.are_spent(); ++pass) {
         std::optional<SplineOptimizer> optimizer;
-        co_await minimize(pace, s, barrier, optimizer);
-        const bool is_clear = co_await accept(pace, s, *optimizer);
+        const bool begins = co_await minimize(pace, s, barrier, settle_work, optimizer);
+        if (!begins) break;
+        const bool is_clear = co_await accept(pace, s, s.scene.last_radius, *optimizer);
         if (is_clear) co_return true;
         // What was looked at stays as it is.
         if (pass + 1 == max_passes || s.chain.points.size() / d > FLG_SPLINE_MAX_NODES / 4 || s.evaluations.are_spent())
@@ -455,19 +509,16 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     scene.slack = allowance * scene.size;
     ObstacleSet wider(set, pace.memory());
     wider.set_clearance(set.clearance() + scene.margin);
-    FirstCurve first(pace.memory());
-    co_await find_beginning(pace, request, wider, scene.margin, given, first);
     const uint32_t segments = given.segments(d);
     const uint32_t nodes = request.desc.node_count > 0
                                ? request.desc.node_count
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
+    const uint64_t most = request.desc.max_evaluations;
+    Evaluations evaluations(most == default_evaluations ? default_evaluations_of(nodes) : most, set.count());
+    FirstCurve first(pace.memory());
+    co_await find_beginning(pace, request, wider, scene.margin, given, first, evaluations);
     pace.stage("minimize");
     Chain chain(pace.memory());
-    const uint64_t given_evaluations = request.desc.max_evaluations;
-    const uint64_t most_evaluations = given_evaluations == default_evaluations
-                                          ? std::max(given_evaluations, default_evaluations_a_node * nodes)
-                                          : given_evaluations;
-    Evaluations evaluations(most_evaluations);
     Search search{.set = set,
                   .wider = wider,
                   .scene = scene,
@@ -476,30 +527,30 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
                   .chain = chain,
                   .evaluations = evaluations,
                   .trespasses = std::pmr::vector<Trespass>(pace.memory())};
-    // From the beginning again, with more nodes, where refining did not do.
-    for (uint32_t finer = 1;; finer *= 4) {
+    bool is_clear = false;
+    for (const Attempt& attempt : attempts) {
+        if (attempt.finer > 1 && uint64_t{attempt.finer} * nodes > FLG_SPLINE_MAX_NODES / 4) break;
+        if (evaluations.are_spent()) break;
         problem.manifold = held.manifold.get();
-        co_await place_nodes(pace, *problem.manifold, first, given, finer * nodes, 2, problem);
+        co_await place_nodes(pace, *problem.manifold, first, given, attempt.finer * nodes, 2, problem);
+        const Buffer<uint32_t> wanted = co_await intervals_of(pace, problem, segments, d);
         chain = Chain(pace.memory());
         wider.set_clearance(set.clearance() + scene.margin);
         wider.set_smooth(true);
-        co_await place_around(pace, wider, first, problem, least_way * scene.margin, chain);
+        co_await place_around(pace, wider, first, wanted, attempt.coarse, least_way * scene.margin, chain);
+        if (!problem.closed) finish(first, d, chain);
         Barrier barrier(held, wider, scene.size, scene.last_radius);
         problem.manifold = &barrier.manifold();
-        co_await descend(pace, search, barrier);
-        const bool is_clear = co_await settle(pace, search, barrier);
+        co_await descend(pace, search, barrier, attempt.coarse > 1);
+        if (attempt.coarse > 1) co_await densify(pace, wanted, d, problem.closed, chain);
+        is_clear = co_await settle(pace, search, barrier);
         if (is_clear) break;
-        if (evaluations.are_spent()) {
-            if (!search.has_result) refuse(search.trespasses, chain, d, most_evaluations);
-            break;
-        }
-        if (finer == max_finer || 4 * uint64_t{finer} * nodes > FLG_SPLINE_MAX_NODES / 4) {
-            if (!search.has_result) refuse(search.trespasses, chain, d, 0);
-            out.chain.report.ending = SplineEnding::stalled;
-            break;
-        }
     }
-    out.out_of_evaluations = evaluations.are_spent();
+    if (!search.has_result() && !search.can_project && search.trespasses.empty() && !evaluations.are_spent())
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the curve can't be put onto the barriers around the obstacles");
+    if (!search.has_result()) refuse(search.trespasses, chain, d, evaluations.are_spent() ? evaluations.most() : 0);
+    out.out_of_evaluations = is_clear ? search.is_cut_short : evaluations.are_spent();
+    if (!is_clear && !out.out_of_evaluations) out.chain.report.ending = SplineEnding::stalled;
     problem.manifold = held.manifold.get();
 }
 

@@ -2,6 +2,7 @@
 // Splines as hosts hold them, and the job that makes them.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "core/failure.h"
@@ -78,8 +79,11 @@ struct SplineHandle {
     double slope[Manifold::max_ambient] = {};  // in the job, its part tangent to the manifold
 };
 
-// FlgSplineDesc::max_evaluations by default, and what a node has at least then.
-inline constexpr uint64_t default_evaluations = 150000, default_evaluations_a_node = 200;
+// FlgSplineDesc::max_evaluations by default, and what that stands for: so many a node, but within these bounds.
+inline constexpr uint64_t default_evaluations = 2000000;
+constexpr uint64_t default_evaluations_of(uint64_t nodes) {
+    return std::clamp<uint64_t>(800 * nodes, 600000, default_evaluations);
+}
 
 struct SplineRequest {
     std::shared_ptr<Spline> out;

@@ -19,6 +19,7 @@ constexpr double near_middle = 0.87;             // of a cell: so far from its m
 constexpr double max_hop = 3;                    // cells, between points of neighbours
 constexpr uint32_t max_cells = 1u << 16;         // that a search looks at
 constexpr uint32_t project_work = 4;             // of Cost::microseconds
+constexpr uint32_t cell_work = 8;                // evaluations
 
 using Cell = std::array<int32_t, 3>;
 
@@ -51,6 +52,7 @@ public:
         std::construct_at(&places_[count_++], place);
     }
     Place& operator[](uint32_t i) { return places_[i]; }
+    uint32_t count() const { return count_; }
     bool is_full() const { return count_ + 27 > max_cells; }
 
     static constexpr uint32_t none = UINT32_MAX;
@@ -100,7 +102,7 @@ struct Goal {
 };
 
 // From a to b over cells of this size: all places in between, or none.
-Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, double cell) {
+Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, double cell, Evaluations& evaluations) {
     Places places(pace.memory());
     co_await Places::clear(pace, places);
     std::priority_queue<Goal, std::pmr::vector<Goal>> open{std::less<Goal>(), std::pmr::vector<Goal>(pace.memory())};
@@ -116,7 +118,10 @@ Task<std::pmr::vector<Vec3>> search(Pace& pace, Ground& ground, Vec3 a, Vec3 b, 
     places.add(places.find(cell_of(a)), {a, normal, cell_of(a), 0, Places::none, true, false});
     open.push({(b - a).norm(), 0});
     Slice slice(Cost::microseconds);
-    while (!open.empty() && !places.is_full()) {
+    uint32_t counted = 0;
+    while (!open.empty() && !places.is_full() && !evaluations.are_spent()) {
+        evaluations.spend(uint64_t{cell_work} * (places.count() - counted));
+        counted = places.count();
         const uint32_t here = open.top().place;
         open.pop();
         if (places[here].is_done) continue;
@@ -217,7 +222,7 @@ Task<bool> is_free(Pace& pace, const Ground& ground, const FirstCurve& first, ui
 }  // namespace
 
 Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSet& obstacles, double margin,
-                       GivenPoints given, FirstCurve& first) {
+                       GivenPoints given, FirstCurve& first, Evaluations& evaluations) {
     Ground ground(surface, obstacles, margin, pace.memory());
     FirstCurve around(pace.memory());
     uint32_t begin = 0;
@@ -228,8 +233,13 @@ Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSe
         const Vec3 a(&first.points[size_t{3} * begin]), b(&first.points[size_t{3} * end - 3]);
         double cell = surface.size() / first_cells;
         for (uint32_t grid = 0; grid < grids && !clear && way.empty(); ++grid, cell *= 0.5) {
-            way = co_await search(pace, ground, a, b, cell);
+            way = co_await search(pace, ground, a, b, cell, evaluations);
             if (!way.empty()) way = co_await pull(pace, ground, way, cell);
+        }
+        if (!clear && way.empty() && evaluations.are_spent()) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.max_evaluations, %llu, were used up before a way was found from point %u to point %u",
+                          static_cast<unsigned long long>(evaluations.most()), s, (s + 1) % given.count(3));
         }
         if (!clear && way.empty()) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,

@@ -12,14 +12,15 @@
 #pragma once
 
 #include "splines/manifolds/hypersurface.h"
+#include "splines/obstacles/evaluations.h"
 #include "splines/obstacles/obstacle.h"
 #include "splines/optimizer/first_curve.h"
 
 namespace flg {
 
 // Replaces the segments of `first` of which chords are not clear by `margin` metres. Throws a Failure that names the
-// points where no way is found. About 20 us a cell.
+// points where no way is found, or before which the evaluations are used up. About 20 us a cell.
 Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSet& obstacles, double margin,
-                       GivenPoints given, FirstCurve& first);
+                       GivenPoints given, FirstCurve& first, Evaluations& evaluations);
 
 }  // namespace flg

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Splines among random solids: everywhere, not at nodes alone, they keep their clearance from the exact solids.
+#include <atomic>
+
 #include "api/spline_inputs.h"
 #include "reference/obstacle_scenes.h"
 
@@ -65,6 +67,91 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SplineClearance,
                                          Kind{SceneKind::meshes, 12}, Kind{SceneKind::sphere, 12},
                                          Kind{SceneKind::walled_plane, 10}, Kind{SceneKind::walled_space, 8},
                                          Kind{SceneKind::walled_sphere, 8}));
+
+// Scenes that a descent over barriers enters with a kinked curve, or with chords through solids.
+TEST(SplineObstacles, CrowdedScenesHaveACurve) {
+    const std::pair<SceneKind, uint64_t> scenes[] = {{SceneKind::plane, 23},        {SceneKind::plane, 35},
+                                                     {SceneKind::sphere, 97},       {SceneKind::walled_plane, 16},
+                                                     {SceneKind::walled_space, 37}, {SceneKind::walled_space, 44},
+                                                     {SceneKind::walled_sphere, 8}, {SceneKind::walled_sphere, 40}};
+    for (const auto& [kind, seed] : scenes) {
+        const Host host;
+        const ObstacleScene scene = reference::obstacle_scene(seed, kind);
+        FlgSplineDesc desc = spline_desc(manifold_of(host, kind), scene.points, scene.dimension);
+        desc.obstacles = obstacles_of(host, scene);
+        const MadeSpline made = make_spline(host, desc);
+        ASSERT_EQ(made.result, FLG_OK) << static_cast<int>(kind) << ", " << seed << ": " << made.error;
+        const reference::Approach nearest =
+            closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * scene.dimension},
+                             {made.view.parameters, made.view.node_count}, false);
+        EXPECT_GT(nearest.clearance, -1e-6 * scene.size) << static_cast<int>(kind) << ", " << seed;
+    }
+}
+
+TEST(SplineObstacles, ADetourAroundFourteenSolidsIsFound) {
+    for (uint64_t seed = 0; seed < 12; ++seed) {
+        const Host host;
+        const ObstacleScene scene = reference::obstacle_maze(seed);
+        ASSERT_EQ(scene.solids.size(), 14u);
+        FlgSplineDesc desc = spline_desc(manifold_of(host, SceneKind::plane), scene.points, 2);
+        desc.obstacles = obstacles_of(host, scene);
+        const MadeSpline made = make_spline(host, desc);
+        ASSERT_EQ(made.result, FLG_OK) << seed << ": " << made.error;
+        EXPECT_NE(made.view.ending, FLG_SPLINE_ENDING_STALLED) << seed;
+        const reference::Approach nearest = closest_approach(scene, {made.view.nodes, size_t{made.view.node_count} * 2},
+                                                             {made.view.parameters, made.view.node_count}, false);
+        EXPECT_GT(nearest.clearance, -1e-6 * scene.size) << seed;
+        EXPECT_GT(made.view.length, 4.8) << seed;
+    }
+}
+
+// A long curve through a row of posts: the host's own function counts.
+TEST(SplineObstacles, TheDefaultBoundsTheWorkOfManyPoints) {
+    const Host host;
+    constexpr uint64_t calls_each = 10;
+    static constexpr double posts[4][2] = {{0.7, 0.3}, {1.9, -0.35}, {3.1, 0.25}, {4.3, -0.3}};
+    std::atomic<uint64_t> calls = 0;
+    FlgObstacle function = flgObstacleDefaults();
+    function.kind = FLG_OBSTACLE_KIND_FUNCTION;
+    function.centre[0] = 2.5;
+    function.half[0] = 2.6;
+    function.half[1] = 1.2;
+    function.user_data = &calls;
+    function.value = [](void* counter, const double* x, double* gradient) {
+        ++*static_cast<std::atomic<uint64_t>*>(counter);
+        double nearest = HUGE_VAL;
+        for (const auto& post : posts) {
+            const double away = std::hypot(x[0] - post[0], x[1] - post[1]);
+            if (away - 0.3 >= nearest) continue;
+            nearest = away - 0.3;
+            for (int k = 0; k < 2; ++k) gradient[k] = away > 0 ? (x[k] - post[k]) / away : 1;
+        }
+        return nearest;
+    };
+    std::vector<double> points;
+    for (uint32_t i = 0; points.size() < 502; ++i) {
+        const double x = 0.01 * i - 0.5, y = 0.6 * std::sin(2.6 * x);
+        double ignored[2];
+        if (function.value(&calls, std::array{x, y}.data(), ignored) > 0.02) points.insert(points.end(), {x, y});
+    }
+    FlgSplineDesc desc = spline_desc(shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2), points, 2);
+    desc.obstacles = make_obstacles(host, {function}, 2);
+    calls = 0;
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    const uint64_t bounded = calls;
+    EXPECT_EQ(desc.max_evaluations, 2000000u);
+    // Putting a node onto a barrier, and its part of a round, look at the obstacle some seven times.
+    EXPECT_LT(bounded, calls_each * desc.max_evaluations);
+    // The bound is of all that is done: a hundredth of it is a hundredth of the work.
+    calls = 0;
+    desc.max_evaluations /= 100;
+    const MadeSpline little = make_spline(host, desc);
+    EXPECT_LT(calls, calls_each * desc.max_evaluations);
+    if (little.result != FLG_OK) {
+        EXPECT_NE(little.error.find("desc.max_evaluations, 20000, were used up"), std::string::npos) << little.error;
+    }
+}
 
 // Points on the solids' very boundary are no points inside. Beside them a curve may come nearer by a tenth of the
 // barriers' radius.

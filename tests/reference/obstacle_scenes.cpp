@@ -244,6 +244,30 @@ ObstacleScene obstacle_scene(uint64_t seed, SceneKind kind) {
     return scene;
 }
 
+ObstacleScene obstacle_maze(uint64_t seed) {
+    Draws draw{.seed = mix64(seed) + 100};
+    ObstacleScene scene;
+    scene.dimension = 2;
+    scene.clearance = 0.01;
+    // Columns of two, in turn to both sides of the middle and on it.
+    for (uint32_t i = 0; i < 14; ++i) {
+        const uint32_t column = i / 2;
+        const double beside = column % 2 == 0   ? (i % 2 == 0 ? -0.42 : 0.42)
+                              : i % 2 == 0      ? 0
+                              : column % 4 == 1 ? -0.85
+                                                : 0.85;
+        Solid& solid = scene.solids.emplace_back();
+        solid.kind = draw.below(2) == 0 ? Solid::Kind::box : Solid::Kind::ball;
+        solid.axes[0] = draw.direction(2);
+        solid.axes[1] = Vec3(-solid.axes[0].y(), solid.axes[0].x(), 0);
+        solid.radius = draw(0.2, 0.31);
+        solid.half[0] = solid.half[1] = 0.7 * solid.radius;
+        solid.centre = {0.62 * column - 1.86, beside, 0};
+    }
+    scene.points = {-2.4, draw(-0.1, 0.1), 2.4, draw(-0.1, 0.1)};
+    return scene;
+}
+
 Approach closest_approach(const ObstacleScene& scene, std::span<const double> nodes, std::span<const double> parameters,
                           bool closed) {
     const uint32_t d = scene.dimension;

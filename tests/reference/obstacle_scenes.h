@@ -62,6 +62,10 @@ inline constexpr double sphere_radius = 2;  // metres, of the surface that scene
 // Scenes of about 5 metres: 3 to 14 solids and 2 to 5 points. Walled: the same, prisms too, between two half-spaces.
 ObstacleScene obstacle_scene(uint64_t seed, SceneKind kind);
 
+// 5 metres of a plane with 14 boxes and balls in staggered columns: the straight way from the first point to the second
+// leads through some of them.
+ObstacleScene obstacle_maze(uint64_t seed);
+
 struct Approach {
     double clearance;  // metres: the least distance less the scene's clearance
     uint32_t node;     // in the interval after this node

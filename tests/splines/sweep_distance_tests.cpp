@@ -170,5 +170,26 @@ TEST(SweepDistance, ChunksDoNotMatter) {
     EXPECT_EQ(solved(grid, flags, {{7, 0}, {99, 0.5}}, true), solved(grid, flags, {{7, 0}, {99, 0.5}}));
 }
 
+// Ways that are too long for the goal may be left out, some cells spared: there it is the same.
+TEST(SweepDistance, AGoalLeavesItsOwnDistanceAsItIs) {
+    SweepGrid grid;
+    grid.counts = {60, 50, 1};
+    grid.spacing = 0.1;
+    std::vector<uint8_t> flags(grid.size(), 0);
+    for (uint32_t y = 0; y < 35; ++y) flags[grid.node({30, y, 0})] = SweepDistance::unused;
+    const SweepDistance::Seed seeds[] = {{grid.node({5, 10, 0}), 0.0}};
+    const uint32_t goal = grid.node({55, 12, 0});
+    SweepDistance whole(grid, flags.data(), heap()), part(grid, flags.data(), heap());
+    const uint64_t passed = run_now(
+        heap(), [&](Pace& pace) { return SweepDistance::solve(pace, whole, grid.whole(), seeds); }, false);
+    const SweepGoal wanted{grid.place(goal), whole[goal] + 6 * grid.spacing};
+    const uint64_t fewer = run_now(
+        heap(), [&](Pace& pace) { return SweepDistance::solve(pace, part, grid.whole(), seeds, wanted); }, false);
+    EXPECT_NEAR(part[goal], whole[goal], 1e-3 * grid.spacing);
+    EXPECT_LE(fewer, passed);
+    EXPECT_EQ(part[grid.node({0, 49, 0})], std::numeric_limits<double>::infinity());
+    EXPECT_LT(whole[grid.node({0, 49, 0})], 10);
+}
+
 }  // namespace
 }  // namespace flg::test

@@ -14,7 +14,8 @@ using reference::ObstacleScene;
 using reference::SceneKind;
 using reference::Solid;
 
-constexpr double kMedianMs = 40, kWorstMs = 500;
+constexpr double kMedianMs = 40, kWorstMs = 500, kDetourMs = 50;
+constexpr uint32_t kMazes = 21;
 constexpr double kPenetration = 1e-6;  // of the scene's size
 
 FlgObstacle obstacle(Host& host, const ObstacleScene& scene, const Solid& solid) {
@@ -98,6 +99,22 @@ std::vector<Row> scene_rows(const std::string& name, SceneKind kind, uint32_t sc
     };
 }
 
+// 14 solids of the plane between two points.
+std::vector<Row> maze_rows() {
+    std::vector<double> times;
+    uint32_t missing = 0;
+    for (uint64_t seed = 0; seed < kMazes; ++seed) {
+        const ObstacleScene scene = reference::obstacle_maze(seed);
+        const Outcome outcome = run_scene(scene, SceneKind::plane);
+        times.push_back(outcome.ms);
+        missing += outcome.refused || outcome.penetration > kPenetration * scene.size ? 1 : 0;
+    }
+    std::sort(times.begin(), times.end());
+    char note[64];
+    std::snprintf(note, sizeof note, "longest %.1f ms; %u without a clear curve", times.back(), missing);
+    return {below("a detour around 14 solids of the plane: median", times[kMazes / 2], "ms", kDetourMs, note)};
+}
+
 }  // namespace
 
 std::vector<Row> spline_obstacles() {
@@ -113,6 +130,8 @@ std::vector<Row> spline_obstacles() {
     append("walls and prisms in the plane", SceneKind::walled_plane, 50);
     append("walls and prisms in space", SceneKind::walled_space, 50);
     append("walls and prisms on a sphere", SceneKind::walled_sphere, 50);
+    const std::vector<Row> mazes = maze_rows();
+    rows.insert(rows.end(), mazes.begin(), mazes.end());
     return rows;
 }
 

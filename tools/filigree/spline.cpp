@@ -432,7 +432,7 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
         ->type_name("FILE.json");
     app->add_option("--evaluations", o->evaluations,
                     "With --obstacles: places that are tried for points of the curve at most, which bounds the time; "
-                    "0: no bound; the default becomes 200 a point of the curve where that is more")
+                    "0: no bound; the default stands for 800 a point of the curve where that is less, but 600000")
         ->capture_default_str();
     add_road_options(*app, o->road);
     app->add_option("--tolerance", o->tolerance, "Residual at which the optimizer stops")

@@ -382,11 +382,14 @@ typedef struct FlgSplineDesc {
                                null: 1 */
     double key_tolerance;   /* metres; above 0: the view also gives the curve as few cubic pieces, at most so far from
                                it. Default 0: none */
-    uint64_t max_evaluations; /* among obstacles: how often nodes are put onto the manifold at most, in all, 1 to 2 us
-                                 each: bounds the time, and is the same on every machine. Used up, the result is the
-                                 best curve so far that keeps clear (FLG_SPLINE_ENDING_EVALUATIONS); the job fails if
-                                 there is none. Fewer than some 20 a node leave none. 0: no bound. Default 150000, which
-                                 stands for 200 a node (of node_count) where that is more */
+    uint64_t max_evaluations; /* among obstacles: how often, at most, nodes are put onto barriers or take part in a
+                                 round; the first way around the obstacles and the looks that prove the clearance are
+                                 counted in proportion. 0.5 to 1 us each, half as long again for each 16 obstacles: it
+                                 bounds the time, and is the same on every machine. Used up, the result is the best
+                                 curve so far that keeps clear (FLG_SPLINE_ENDING_EVALUATIONS), perhaps of fewer nodes
+                                 than node_count; the job fails if there is none. Fewer than some 40 a node leave none.
+                                 0: no bound. Default 2000000, 1 to 2 s at most; it stands for 800 a node (of
+                                 node_count) where that is less, but for 600000 at least */
 } FlgSplineDesc;
 
 FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);

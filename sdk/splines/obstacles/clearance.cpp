@@ -15,10 +15,11 @@ constexpr double min_step = 1.0 / 64;  // of the interval, where it is not clear
 
 }  // namespace
 
-Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve,
-                           std::pmr::vector<Trespass>& out) {
+Task<uint64_t> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve,
+                               std::pmr::vector<Trespass>& out) {
     const uint32_t d = obstacles.dimension(), nodes = static_cast<uint32_t>(curve.nodes.size() / d);
     Slice slice(Cost::microseconds);
+    uint64_t looks = 0;
     for (uint32_t i = 0; i + (curve.closed ? 0 : 1) < nodes; ++i) {
         const uint32_t next = (i + 1) % nodes;
         const double* const a = &curve.nodes[size_t{i} * d];
@@ -38,6 +39,7 @@ Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces
             const double left = obstacles.distance(at.data(), &which) - t * (1 - t) * bulge + curve.allowed[i],
                          lacking = curve.spare[i] - left;
             if (lacking > worst.depth) worst = {i, which, lacking, t};
+            ++looks;
             if (slice.is_over()) co_await pace;
             if (t >= 1) break;
             // What is left falls by no more than 1 a metre of the chord, and the bulge's slope a unit of t.
@@ -47,6 +49,7 @@ Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces
         }
         if (worst.depth > 0) out.push_back(worst);
     }
+    co_return looks;
 }
 
 Task<bool> is_clear(Pace& pace, const ObstacleSet& obstacles, Obstacle::Place a, Obstacle::Place b, double margin) {

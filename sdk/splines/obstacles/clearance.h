@@ -33,9 +33,9 @@ struct CurvePieces {
 
 // Appends the intervals that may come nearer to an obstacle than they are allowed to, and those where less than the
 // spare part is left of the distance: of the others no place is nearer. 50 ns an obstacle that is near and step; steps
-// are no shorter than the spare part.
-Task<void> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve,
-                           std::pmr::vector<Trespass>& out);
+// are no shorter than the spare part. Returns how many steps those were.
+Task<uint64_t> find_trespasses(Pace& pace, const ObstacleSet& obstacles, CurvePieces curve,
+                               std::pmr::vector<Trespass>& out);
 
 // Whether the straight way from a to b (d numbers each) stays clear by `margin` metres > 0 (ObstacleSet::follow).
 Task<bool> is_clear(Pace& pace, const ObstacleSet& obstacles, Obstacle::Place a, Obstacle::Place b, double margin);

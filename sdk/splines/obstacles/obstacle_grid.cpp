@@ -55,7 +55,7 @@ double gap_between(const ObstacleSet& obstacles, const Obstacle& a, const Obstac
     return gap > 0 ? std::min(least, gap) : least;
 }
 
-SweepGrid grid_around(const ObstacleSet& obstacles, std::span<const double> points, double gap) {
+SweepGrid grid_around(const ObstacleSet& obstacles, std::span<const double> points, double gap, double coarser) {
     const uint32_t d = obstacles.dimension();
     Obstacle::Box box;
     double longest = 0;
@@ -75,7 +75,7 @@ SweepGrid grid_around(const ObstacleSet& obstacles, std::span<const double> poin
         box.upper[k] += border * longest;
     }
     longest *= 1 + 2 * border;
-    const double h = std::max(longest / max_cells(d), std::min(longest / min_cells(d), gap / cells_per_gap));
+    const double h = coarser * std::max(longest / max_cells(d), std::min(longest / min_cells(d), gap / cells_per_gap));
     SweepGrid grid;
     grid.dimension = d;
     grid.spacing = h;
@@ -109,8 +109,9 @@ ObstacleGrid::ObstacleGrid(const ObstacleSet& obstacles, std::span<const Obstacl
     }
 }
 
-void ObstacleGrid::flag_node(uint32_t node) {
-    if ((flags_[node] & known) != 0) return;
+// Whether it is new.
+bool ObstacleGrid::flag_node(uint32_t node) {
+    if ((flags_[node] & known) != 0) return false;
     const Obstacle::Place x = grid_.place(node);
     const double d = obstacles_.distance(x.data());
     away_[node] = static_cast<float>(d);
@@ -120,8 +121,9 @@ void ObstacleGrid::flag_node(uint32_t node) {
         const double wider = std::max(grid_.spacing - obstacles_[side.obstacle].core_depth(), 0.0);
         if (!in_extension(side, x.data(), wider)) continue;
         flags_[node] = known | SweepDistance::unused | extension;
-        return;
+        break;
     }
+    return true;
 }
 
 // Edges whose ends are both farther than they are long are open. Returns what that cost, in microseconds about.
@@ -192,16 +194,18 @@ uint32_t ObstacleGrid::behind(const double* x) const {
     return static_cast<uint32_t>(sides_.size());
 }
 
-Task<void> ObstacleGrid::look(Pace& pace, ObstacleGrid& of, SweepRange range) {
+Task<uint32_t> ObstacleGrid::look(Pace& pace, ObstacleGrid& of, SweepRange range) {
     const SweepGrid& grid = of.grid_;
+    uint32_t added = 0;
     co_await each(pace, range.size(), Cost::microseconds,
-                  [&, range](uint32_t i) { of.flag_node(grid.node(range.cell(i))); });
+                  [&, range](uint32_t i) { added += of.flag_node(grid.node(range.cell(i))) ? 1 : 0; });
     co_await each_by_work(pace, range.size(), Cost::microseconds,
                           [&, range](uint32_t i) { return of.close_edges(grid.node(range.cell(i))); });
+    co_return added;
 }
 
 Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
-                                 std::span<const ObstacleSide> sides) {
+                                 std::span<const ObstacleSide> sides, double coarser) {
     ObstacleGrid made(obstacles, sides, pace.memory());
     const uint32_t count = obstacles.count();
     double gap = std::numeric_limits<double>::infinity();
@@ -217,7 +221,7 @@ Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::
             if (slice.is_over()) co_await pace;
         }
     }
-    made.grid_ = grid_around(obstacles, points, gap);
+    made.grid_ = grid_around(obstacles, points, gap, coarser);
     made.margin_ = margin_share * made.grid_.spacing;
     const uint32_t nodes = made.grid_.size();
     made.away_ = Buffer<float>(nodes, pace.memory());

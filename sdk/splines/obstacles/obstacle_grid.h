@@ -27,7 +27,8 @@ class ObstacleGrid {
 public:
     // Nodes are looked at when they are needed: those of a range, before anything else is asked about them. Where there
     // are sides obstacle_grid() has looked at all. About 1 us a node that is new.
-    static Task<void> look(Pace& pace, ObstacleGrid& of, SweepRange range);
+    // Returns how many those were.
+    static Task<uint32_t> look(Pace& pace, ObstacleGrid& of, SweepRange range);
 
     const SweepGrid& grid() const { return grid_; }
     const uint8_t* flags() const { return flags_.data(); }  // as for SweepDistance
@@ -47,9 +48,9 @@ private:
     static constexpr uint8_t extension = 16, known = 32, has_edges = 64;
 
     friend Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
-                                            std::span<const ObstacleSide> sides);
+                                            std::span<const ObstacleSide> sides, double coarser);
     ObstacleGrid(const ObstacleSet& obstacles, std::span<const ObstacleSide> sides, Memory* memory);
-    void flag_node(uint32_t node);
+    bool flag_node(uint32_t node);
     uint32_t close_edges(uint32_t node);
     bool in_extension(const ObstacleSide& side, const double* x, double margin) const;
 
@@ -62,9 +63,10 @@ private:
 };
 
 // points: d numbers each; the grid's box has them and all obstacles, with a tenth of its size around. Obstacles outlive
-// the grid. Throws a Failure: sides of obstacles that there are not, or that have no outside, directions without
-// length. About 1 ns a node; with sides 1 us, and more where a side's extension is grazed.
+// the grid. coarser: a factor of the spacing, at least 1. Throws a Failure: sides of obstacles that there are not, or
+// that have no outside, directions without length. About 1 ns a node; with sides 1 us, and more where a side's
+// extension is grazed.
 Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
-                                 std::span<const ObstacleSide> sides);
+                                 std::span<const ObstacleSide> sides, double coarser = 1);
 
 }  // namespace flg

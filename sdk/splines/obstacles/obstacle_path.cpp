@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/failure.h"
 #include "splines/obstacles/clearance.h"
@@ -23,6 +24,7 @@ constexpr uint32_t tighten_rounds = 16, tries = 6;
 constexpr double min_move = 1e-2;                     // of the spacing: rounds end when no vertex moves more
 constexpr uint32_t hop_steps = 1024;                  // of a way to a neighbour
 constexpr double first_length = 1.06, longer = 1.12;  // of ways that are looked for
+constexpr double coarse_spacing = 2;                  // times that of the grid
 
 double distance(const Obstacle::Place& a, const Obstacle::Place& b) {
     return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
@@ -56,9 +58,17 @@ struct Scene {
                       i % count, 2 * grid.margin());
     }
 
+    void check_evaluations(uint32_t leg) const {
+        if (!evaluations || !evaluations->are_spent()) return;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.max_evaluations, %llu, were used up before a way was found from point %u to point %u",
+                      static_cast<unsigned long long>(evaluations->most()), leg, (leg + 1) % count);
+    }
+
     const ObstacleSet& obstacles;
     std::span<const double> points;
     uint32_t d, count;
+    Evaluations* evaluations;  // or null
 };
 
 Task<bool> sees(Pace& pace, const Scene& scene, const ObstacleGrid& grid, Place a, Place b) {
@@ -156,10 +166,23 @@ SweepRange around_ways(const SweepGrid& grid, const Place& a, const Place& b, do
     return range;
 }
 
+// What a way is looked for on.
+struct Field {
+    Field(ObstacleGrid made, Memory* memory) : grid(std::move(made)), distances(grid.grid(), grid.flags(), memory) {}
+
+    ObstacleGrid grid;
+    SweepDistance distances;
+};
+
 // The distance from the seeds, and the node and length of the shortest way to `to`; infinite if none leads there.
-Task<SweepDistance::Seed> shortest_way(Pace& pace, const Scene& scene, ObstacleGrid& grid, SweepDistance& distances,
-                                       SweepRange range, Place to, const Seeds& seeds) {
-    co_await SweepDistance::solve(pace, distances, range, seeds);
+Task<SweepDistance::Seed> shortest_way(Pace& pace, const Scene& scene, Field& field, SweepRange range, Place to,
+                                       double longest, const Seeds& seeds) {
+    const ObstacleGrid& grid = field.grid;
+    const SweepDistance& distances = field.distances;
+    // Nodes that are joined to the end are within some cells of it.
+    const SweepGoal goal{to, longest + 2 * near_cells * grid.grid().spacing};
+    const uint64_t passed = co_await SweepDistance::solve(pace, field.distances, range, seeds, goal);
+    if (scene.evaluations) scene.evaluations->spend_swept(passed);
     Seeds arrivals(pace.memory());
     SweepDistance::Seed best{0, infinite};
     for (uint32_t attempt = 0; attempt < 2 && best.value == infinite; ++attempt) {
@@ -172,25 +195,47 @@ Task<SweepDistance::Seed> shortest_way(Pace& pace, const Scene& scene, ObstacleG
     co_return best;
 }
 
-// From one place to another by the nodes in between: back down the distance from the first one. Ways are looked for
-// farther and farther around, until none outside can be shorter.
-Task<void> find_trail(Pace& pace, const Scene& scene, ObstacleGrid& grid, SweepDistance& distances, uint32_t leg,
-                      Place from, Place to, Places& trail) {
-    Seeds seeds(pace.memory());
+// From a place to another: the nodes that are joined to the first one, and the last node of the shortest way and its
+// length, infinite if there is none. Ways are looked for farther and farther around, from those of `length` on, until
+// none outside can be shorter.
+Task<SweepDistance::Seed> find_way(Pace& pace, const Scene& scene, Field& field, uint32_t leg, Place from, Place to,
+                                   double length, Seeds& seeds) {
+    ObstacleGrid& grid = field.grid;
     SweepDistance::Seed found{0, infinite};
-    for (double length = first_length * distance(from, to); found.value == infinite; length *= longer) {
-        const SweepRange range = around_ways(grid.grid(), from, to, length);
-        co_await ObstacleGrid::look(pace, grid, range);
+    for (bool is_last = false; found.value == infinite && !is_last;) {
+        is_last = length == infinite;
+        const SweepRange range = is_last ? grid.grid().whole() : around_ways(grid.grid(), from, to, length);
+        const uint32_t added = co_await ObstacleGrid::look(pace, grid, range);
+        if (scene.evaluations) scene.evaluations->spend_looks(2 * uint64_t{added});
+        scene.check_evaluations(leg);
         co_await join(pace, scene, grid, from, true, seeds);
         if (seeds.empty()) co_await join(pace, scene, grid, from, false, seeds);
-        if (seeds.empty()) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no way leads from point %u on a grid with a spacing of %g", leg,
-                          grid.grid().spacing);
-        }
-        found = co_await shortest_way(pace, scene, grid, distances, range, to, seeds);
-        const bool is_whole = range.size() == grid.grid().size();
-        if (found.value > length && !is_whole) found.value = infinite;
-        if (found.value < infinite || !is_whole) continue;
+        if (seeds.empty()) break;
+        found = co_await shortest_way(pace, scene, field, range, to, length, seeds);
+        if (found.value > length) found.value = infinite;
+        length = range.size() == grid.grid().size() ? infinite : length * longer;
+        scene.check_evaluations(leg);
+    }
+    co_return found;
+}
+
+// From one place to another by the nodes in between: back down the distance from the first one.
+Task<void> find_trail(Pace& pace, const Scene& scene, Field& coarse, Field& fine, uint32_t leg, Place from, Place to,
+                      Places& trail) {
+    Seeds seeds(pace.memory());
+    const double apart = distance(from, to);
+    const SweepDistance::Seed rough =
+        co_await find_way(pace, scene, coarse, leg, from, to, first_length * apart, seeds);
+    const double expected = rough.value < infinite ? rough.value : 0;
+    const SweepDistance::Seed found =
+        co_await find_way(pace, scene, fine, leg, from, to, std::max(expected, first_length * apart), seeds);
+    const ObstacleGrid& grid = fine.grid;
+    const SweepDistance& distances = fine.distances;
+    if (seeds.empty()) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no way leads from point %u on a grid with a spacing of %g", leg,
+                      grid.grid().spacing);
+    }
+    if (found.value == infinite) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "no way leads from point %u to point %u around the obstacles%s, on a grid with a spacing of %g",
                       leg, (leg + 1) % scene.count, grid.side_count() > 0 ? " on the sides they are to be passed" : "",
@@ -290,13 +335,15 @@ Task<void> refuse_inside(Pace& pace, const ObstacleSet& obstacles, std::span<con
 }
 
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,
-                                 std::span<const ObstacleSide> sides, double slack) {
+                                 std::span<const ObstacleSide> sides, double slack, Evaluations* evaluations) {
     const uint32_t d = obstacles.dimension(), count = static_cast<uint32_t>(points.size() / d);
     if (count < 2) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a path has %u points, it must have 2 at least", count);
-    const Scene scene{obstacles, points, d, count};
+    const Scene scene{obstacles, points, d, count, evaluations};
     co_await refuse_inside(pace, obstacles, points, slack);
-    ObstacleGrid grid = co_await obstacle_grid(pace, obstacles, points, sides);
-    SweepDistance distances(grid.grid(), grid.flags(), pace.memory());
+    ObstacleGrid made = co_await obstacle_grid(pace, obstacles, points, sides);
+    Field fine(std::move(made), pace.memory());
+    std::optional<Field> coarse;
+    const ObstacleGrid& grid = fine.grid;
     ObstaclePath path(pace.memory());
     path.spacing = grid.grid().spacing;
     const auto add = [&](const Place& x) { path.points.insert(path.points.end(), x.begin(), x.begin() + d); };
@@ -314,7 +361,11 @@ Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::
         if (from != scene.given(leg)) add(from);
         const bool is_clear = co_await sees(pace, scene, grid, from, to);
         if (!is_clear) {
-            co_await find_trail(pace, scene, grid, distances, leg, from, to, trail);
+            if (!coarse) {
+                ObstacleGrid coarser = co_await obstacle_grid(pace, obstacles, points, sides, coarse_spacing);
+                coarse.emplace(std::move(coarser), pace.memory());
+            }
+            co_await find_trail(pace, scene, *coarse, fine, leg, from, to, trail);
             co_await pull(pace, scene, grid, trail, taut);
             co_await tighten(pace, scene, grid, taut);
             for (size_t i = 1; i + 1 < taut.size(); ++i) add(taut[i]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The first curve of a spline among obstacles (Hofer, Pottmann 2004, sec. 5, Fig. 14): for each pair of given points
 // the distance from the first one is spread over a grid, nodes inside of obstacles left out, and the second one is led
-// back down it; then the way is pulled tight. It decides how the spline passes the obstacles: the optimizer moves it
-// continuously.
+// back down it; then the way is pulled tight. A coarser grid comes first: the way there says how far around
+// to look. It decides how the spline passes the obstacles: the optimizer moves it continuously.
 //
 // Invariants: no point of the polyline is inside of an obstacle or nearer than the clearance; given points are vertices
 // of it. Departures: back from node to node, down the steepest straight way to a neighbour, not along the gradient,
@@ -11,6 +11,7 @@
 // Around a round obstacle tangents are left, some percents too long at most.
 #pragma once
 
+#include "splines/obstacles/evaluations.h"
 #include "splines/obstacles/obstacle_grid.h"
 
 namespace flg {
@@ -24,11 +25,14 @@ struct ObstaclePath {
 };
 
 // points: d numbers each, two points at least, finite. sides: how obstacles have to be passed by all of the path.
-// slack: metres, by which given points may be nearer than the clearance.
+// slack: metres, by which given points may be nearer than the clearance. evaluations: what it costs is taken from
+// them; null: no bound.
 // Throws a Failure where a point is inside of an obstacle (nearer than the clearance), behind one whose side is given,
-// or in a gap finer than the grid; and where there is no way. Memory: 14 bytes a node of the grid.
+// or in a gap finer than the grid; where there is no way; and where the evaluations are used up before it is found.
+// Memory: 14 bytes a node of the grid.
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,
-                                 std::span<const ObstacleSide> sides, double slack = 0);
+                                 std::span<const ObstacleSide> sides, double slack = 0,
+                                 Evaluations* evaluations = nullptr);
 
 // Its first check: throws a Failure that names the point.
 Task<void> refuse_inside(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, double slack);

@@ -53,6 +53,13 @@ struct SweepGrid {
     std::array<uint32_t, 3> nearest(const double* x) const;
 };
 
+// Where distances are wanted: ways to there that are longer than `longest` may be left out. It should be some cells
+// more than is wanted: a value comes from nodes beside the way, too.
+struct SweepGoal {
+    Obstacle::Place at{};
+    double longest = std::numeric_limits<double>::infinity();
+};
+
 class SweepDistance {
 public:
     // Of a node: the edge to the next node along axis k is closed; the node is not used.
@@ -66,23 +73,32 @@ public:
 
     // flags: one a node; read while it is solved. Memory: 9 bytes a node.
     SweepDistance(const SweepGrid& grid, const uint8_t* flags, Memory* memory)
-        : grid_(grid), flags_(flags), values_(grid.size(), memory), is_due_(grid.size(), memory) {}
+        : grid_(grid),
+          flags_(flags),
+          values_(grid.size(), memory),
+          is_due_(grid.size(), memory),
+          row_is_due_(size_t{grid.counts[1]} * grid.counts[2], memory) {}
 
     // From these nodes, which are in the range, anew; on ways within the range. About 13 ns a node and sweep in the
-    // plane, 19 in space, 3 where nothing is to be done. In free space two rounds of 2^d sweeps, with obstacles a round
-    // more for each time that a shortest way turns.
-    static Task<void> solve(Pace& pace, SweepDistance& of, SweepRange range, std::span<const Seed> seeds);
+    // plane, 19 in space, nothing where nothing is to be done along a row. In free space two rounds of 2^d sweeps, with
+    // obstacles a round more for each time that a shortest way turns. Returns how many nodes the sweeps passed.
+    static Task<uint64_t> solve(Pace& pace, SweepDistance& of, SweepRange range, std::span<const Seed> seeds,
+                                SweepGoal goal = {});
     // After that; infinite where nothing leads.
     double operator[](uint32_t node) const { return values_[node]; }
 
 private:
     double updated(uint32_t node, uint32_t x, uint32_t y, uint32_t z) const;
     void call_neighbours(uint32_t node, const std::array<uint32_t, 3>& cell);
+    bool sweep_row(std::array<uint32_t, 3> cell, const SweepRange& range, bool backwards, double change,
+                   const SweepGoal& goal);
+    bool leads_to(const SweepGoal& goal, uint32_t node, const std::array<uint32_t, 3>& cell) const;
 
     SweepGrid grid_;
     const uint8_t* flags_;
     Buffer<double> values_;
-    Buffer<uint8_t> is_due_;  // a neighbour has become less since it was looked at
+    Buffer<uint8_t> is_due_;      // a neighbour has become less since it was looked at
+    Buffer<uint8_t> row_is_due_;  // by row along x: perhaps a node of it is
 };
 
 }  // namespace flg

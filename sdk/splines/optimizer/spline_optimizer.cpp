@@ -321,7 +321,7 @@ bool SplineOptimizer::needs_parameters() const {
 bool SplineOptimizer::is_over() {
     if (tension_ == problem_.tension && report_.residual <= problem_.tolerance) {
         report_.ending = SplineEnding::converged;
-    } else if (report_.rounds >= problem_.max_rounds || report_.projections >= problem_.max_projections) {
+    } else if (report_.rounds >= problem_.max_rounds || report_.rounds + report_.projections >= problem_.max_work) {
         report_.ending = SplineEnding::rounds;
     }
     return report_.ending != SplineEnding::running;

@@ -61,8 +61,8 @@ struct SplineProblem {
     double first_tension = 0;                      // homotopy: tension falls from here to `tension`, by 4 a round
     double tolerance = 1e-6;                       // of the residual
     uint32_t max_rounds = 200;
-    uint32_t max_projections = 0xffffffff;  // of whole curves, about: a round that has begun is finished
-    bool holds_nodes = false;               // where the surface has edges or gaps; else it ends there, stalled
+    uint32_t max_work = 0xffffffff;  // rounds and projections of the curve; a round that has begun is finished
+    bool holds_nodes = false;        // where the surface has edges or gaps; else it ends there, stalled
     // Of the surface in R^3, or under a barrier; null: none. Free nodes stay so far within, m; below 0: beyond.
     const MeshBorder* border = nullptr;
     double within = 0;

@@ -429,10 +429,13 @@ namespace Filigree
         /// </summary>
         public double key_tolerance;
         /// <summary>
-        /// among obstacles: how often nodes are put onto the manifold at most, in all, 1 to 2 us each: bounds the time,
-        /// and is the same on every machine. Used up, the result is the best curve so far that keeps clear
-        /// (FlgSplineEnding.Evaluations); the job fails if there is none. Fewer than some 20 a node leave none. 0: no
-        /// bound. Default 150000, which stands for 200 a node (of node_count) where that is more
+        /// among obstacles: how often, at most, nodes are put onto barriers or take part in a round; the first way
+        /// around the obstacles and the looks that prove the clearance are counted in proportion. 0.5 to 1 us each,
+        /// half as long again for each 16 obstacles: it bounds the time, and is the same on every machine. Used up, the
+        /// result is the best curve so far that keeps clear (FlgSplineEnding.Evaluations), perhaps of fewer nodes than
+        /// node_count; the job fails if there is none. Fewer than some 40 a node leave none. 0: no bound. Default
+        /// 2000000, 1 to 2 s at most; it stands for 800 a node (of node_count) where that is less, but for 600000 at
+        /// least
         /// </summary>
         public ulong max_evaluations;
     }
