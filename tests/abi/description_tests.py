@@ -41,8 +41,8 @@ class Grammar(unittest.TestCase):
 
     # Nouns that are no types of the interface.
     NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Columns", "Debug", "Indices"}
-    VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|End|Find|Get|Group|Init|Join|"
-             "Lift|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|Resume|Run|Sample|Set|Simplify|Split|"
+    VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|Edit|End|Find|Get|Group|Init|"
+             "Insert|Join|Lift|Move|Mute|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|Resume|Run|Sample|Set|Simplify|Split|"
              "Stylize|Sweep|Tick|Trace|Undo|Ungroup|Wait|Warm|Write").split("|")
 
     def nouns(self) -> set:
