@@ -103,8 +103,8 @@ Task<void> mark_new(Pace& pace, const Mesh& mesh, const TangleStep& step, MeshCh
 // a word it changed.
 Task<void> look_back(Pace& pace, const Tangle& tangle, OldStep& old);
 
-// Gives a step the result of an old one whose record it has, by its own points and regions: false, and nothing changed, if
-// that read what has changed. Cost: like making a step again.
+// Gives a step the result of an old one whose record it has, by its own points and regions: false, and nothing changed,
+// if that read what has changed. Cost: like making a step again.
 Task<bool> use_again(Pace& pace, Tangle& tangle, const OldStep& old, uint32_t revision, MeshChanges& changes,
                      RegionMap& regions, TangleStep& step);
 
