@@ -129,12 +129,17 @@ float TangleScript::length(const JsonPlace& place) const {
 void TangleScript::run_operation(const JsonPlace& operation) {
     operation.allow({"op",       "name",   "on",      "from",         "to",        "delta", "count",  "groups", "cycle",
                      "scaffold", "closed", "each",    "perturbation", "frequency", "seed",  "amount", "bias",   "gain",
-                     "reach",    "size",   "spacing", "svg",          "turn",      "style", "smooth"});
+                     "reach",    "size",   "spacing", "svg",          "turn",      "style", "smooth", "mute"});
     const Operation& op = read_operation(operation.at("op"));
     Result result;
     result.applied = select(operation.at("on"));
+    if (result.applied.empty() && mutes_any(operation.at("on"))) {
+        report_.warn(operation.path() + " is left out: what it is on is made by operations that are muted");
+        keep_result(operation, {{}, {}, true});
+        return;
+    }
     if (result.applied.empty()) operation.at("on").fail("selects no region");
-    const uint32_t before = info().region_count;
+    const uint32_t before = info().region_count, steps = info().undo_count;
     const bool each = operation.find("each") && operation.at("each").flag();
     const bool smooth = operation.find("smooth") && operation.at("smooth").flag();
     if (smooth && !(op.action == Action::divide && op.kind == FLG_TANGLE_OPERATOR_POLYLINE))
@@ -173,12 +178,41 @@ void TangleScript::run_operation(const JsonPlace& operation) {
             may_divide = false;
             break;
     }
+    if (operation.find("mute") && operation.at("mute").flag()) {
+        mute_from(operation, steps);
+        result.muted = true;
+        may_divide = false;
+    }
     const uint32_t after = info().region_count;
     if (may_divide && after == before) report_.warn(operation.path() + " divides nothing");
     for (uint32_t r = before; r < after; ++r) {
         const FlgTangleRegion node = region(r);
         if (node.child_count == 0 && node.joined_into == FLG_NO_INDEX) result.made.push_back(r);
     }
+    keep_result(operation, std::move(result));
+}
+
+// The steps from one on, the last one first: none of them is computed again.
+void TangleScript::mute_from(const JsonPlace& operation, uint32_t first) {
+    for (uint32_t step = info().undo_count; step-- > first;) {
+        FlgJob job = {};
+        check(flgTangleMuteStep(session_.context(), tangle_, step, 1, nullptr, &job), operation.path());
+        finish(job, operation);
+    }
+}
+
+// Whether a selection names an operation that is muted, or was left out.
+bool TangleScript::mutes_any(const JsonPlace& selection) const {
+    if (selection.is_string()) {
+        const auto found = results_.find(selection.text().substr(0, selection.text().find('.')));
+        return found != results_.end() && found->second.muted;
+    }
+    if (!selection.is_array()) return mutes_any(selection.at("of")) || mutes_any(selection.at("in"));
+    const std::vector<JsonPlace> items = selection.items();
+    return std::any_of(items.begin(), items.end(), [this](const JsonPlace& item) { return mutes_any(item); });
+}
+
+void TangleScript::keep_result(const JsonPlace& operation, Result result) {
     if (const auto name = operation.find("name")) {
         if (name->text() == "root") name->fail("is taken by the whole surface");
         if (name->text() == "default") name->fail("is taken by the material of all that has no other");

@@ -35,9 +35,13 @@ private:
     // What an operation was applied to, and what it made that it did not divide further.
     struct Result {
         std::vector<uint32_t> applied, made;
+        bool muted = false;  // or left out
     };
 
     void run_operation(const JsonPlace& operation);
+    void mute_from(const JsonPlace& operation, uint32_t first);
+    bool mutes_any(const JsonPlace& selection) const;
+    void keep_result(const JsonPlace& operation, Result result);
     void divide(const JsonPlace& operation, FlgTangleOperator kind, const std::vector<uint32_t>& regions);
     void apply_macro(const JsonPlace& operation, FlgTangleMacro kind, const std::vector<uint32_t>& regions);
     void displace(const JsonPlace& operation, const std::vector<uint32_t>& regions);

@@ -16,7 +16,7 @@ namespace {
 class ShownHistory {
 public:
     ShownHistory(const Tangle& tangle, Memory* memory)
-        : records_(memory),
+        : shown_(memory),
           steps_(memory),
           shown_steps_(memory),
           divides_(memory),
@@ -28,10 +28,15 @@ public:
           points_(memory),
           places_(memory),
           shown_places_(memory),
-          made_(memory) {
-        for (size_t i = 0; i < tangle.steps.size(); ++i) {
-            if (!tangle.steps[i]->goes_on) begin_step(*tangle.steps[i]->record);
-            add_record(tangle.steps[i]->record);
+          made_(memory),
+          identities_(memory),
+          names_(memory) {
+        const size_t count = shown_count(tangle);
+        for (size_t i = 0; i < count; ++i)
+            if (!tangle.steps[i]->goes_on) identities_.push_back(tangle.steps[i]->identity);
+        for (size_t i = 0; i < count; ++i) {
+            if (!tangle.steps[i]->goes_on) begin_step(*tangle.steps[i]);
+            add_record(tangle.steps[i]);
         }
         for (size_t i = 0; i < steps_.size(); ++i) {
             steps_[i].places = shown_places_[i].data();
@@ -45,9 +50,30 @@ public:
     std::span<const FlgTangleStep* const> steps() const { return shown_steps_; }
 
 private:
-    void begin_step(const StepRecord& record) {
+    // Those that are made, and those undone that stand where they can be made again: before an edit that was undone.
+    static size_t shown_count(const Tangle& tangle) {
+        size_t undone = 0;
+        for (size_t act = tangle.done; act < tangle.acts.size() && !tangle.acts[act]; ++act) ++undone;
+        size_t count = tangle.made;
+        while (count < tangle.steps.size()) {
+            if (!tangle.steps[count]->goes_on && undone-- == 0) break;
+            ++count;
+        }
+        return count;
+    }
+
+    void begin_step(const TangleStep& shown) {
+        const StepRecord& record = *shown.record;
         auto step = sized<FlgTangleStep>();
         step.first_region = record.first_region;
+        step.state = static_cast<FlgTangleStepState>(shown.state);
+        step.why = shown.why.data();
+        if (record.wanted) {
+            const std::pmr::vector<FlgTangleRegionName>& names = describe_names(*record.wanted);
+            step.names = names.data();
+            step.name_count = static_cast<uint32_t>(names.size());
+        }
+        wanted_ = record.wanted.get();
         if (record.macro) {
             step.kind = FLG_TANGLE_STEP_KIND_MACRO;
             step.macro = &macros_.emplace_back(describe(*record.macro));
@@ -59,21 +85,23 @@ private:
             step.displace = &displaces_.emplace_back(describe(*displace));
         } else if (const auto* const group = std::get_if<GroupRequest>(&record.request)) {
             step.kind = FLG_TANGLE_STEP_KIND_GROUP;
-            show(group->regions, step.regions, step.region_count);
+            show(wanted_ ? wanted_->regions : group->regions, step.regions, step.region_count);
         } else if (const auto* const ungroup = std::get_if<UngroupRequest>(&record.request)) {
             step.kind = FLG_TANGLE_STEP_KIND_UNGROUP;
             step.group = ungroup->group;
         } else {
             step.kind = FLG_TANGLE_STEP_KIND_JOIN;
-            show(std::get<JoinRequest>(record.request).regions, step.regions, step.region_count);
+            const std::pmr::vector<RegionId>& regions = std::get<JoinRequest>(record.request).regions;
+            show(wanted_ ? wanted_->regions : regions, step.regions, step.region_count);
         }
         steps_.push_back(step);
         shown_places_.emplace_back();
         made_.emplace_back();
     }
 
-    void add_record(const std::shared_ptr<const StepRecord>& record) {
-        records_.push_back(record);
+    void add_record(const std::shared_ptr<const TangleStep>& step) {
+        shown_.push_back(step);
+        const StepRecord* const record = step->record.get();
         if (const auto* const divide = std::get_if<DivideRequest>(&record->request)) {
             shown_places_.back().push_back(&places_.emplace_back(describe(divide->a, record->a)));
             shown_places_.back().push_back(&places_.emplace_back(describe(divide->b, record->b)));
@@ -88,6 +116,19 @@ private:
     }
     static const float* first_of(const Buffer<Position>& positions) {
         return positions.empty() ? nullptr : positions[0].data();
+    }
+
+    const std::pmr::vector<FlgTangleRegionName>& describe_names(const WantedRegions& wanted) {
+        std::pmr::vector<FlgTangleRegionName>& names = names_.emplace_back();
+        for (const WantedRegions::Name& name : wanted.names) {
+            const auto step = std::find(identities_.begin(), identities_.end(), name.step);
+            const bool known = step != identities_.end();
+            const auto index = static_cast<uint32_t>(step - identities_.begin());
+            FlgTangleRegionName& shown = names.emplace_back();
+            shown = {known ? index : FLG_NO_INDEX, name.operation, name.part, name.parent, {}, name.reach};
+            std::copy_n(name.place.data(), 3, shown.place);
+        }
+        return names;
     }
 
     FlgTangleSeedPlaces describe(const TangleSeeds& seeds, const SeedAnchors& anchors) {
@@ -112,7 +153,7 @@ private:
         return places;
     }
 
-    const FlgTangleSeeds* describe(const TangleSeeds& seeds) {
+    const FlgTangleSeeds* describe(const TangleSeeds& seeds, const std::pmr::vector<uint32_t>* wanted) {
         FlgTangleSeeds& shown = seeds_.emplace_back(sized<FlgTangleSeeds>());
         shown.borders = seeds.borders;
         std::pmr::vector<FlgBorderStretch>& stretches = stretches_.emplace_back();
@@ -128,27 +169,27 @@ private:
         shown.sample_count = seeds.sample_count;
         shown.sample_radius = seeds.sample_radius;
         shown.border_spacing = seeds.border_spacing;
-        show(seeds.regions, shown.regions, shown.region_count);
+        show(wanted ? *wanted : seeds.regions, shown.regions, shown.region_count);
         return &shown;
     }
 
     FlgTangleDivideDesc describe(const DivideRequest& request) {
         FlgTangleDivideDesc desc = request.desc;
-        show(request.regions, desc.regions, desc.region_count);
-        desc.a = describe(request.a);
-        desc.b = describe(request.b);
+        show(wanted_ ? wanted_->regions : request.regions, desc.regions, desc.region_count);
+        desc.a = describe(request.a, wanted_ ? &wanted_->a : nullptr);
+        desc.b = describe(request.b, wanted_ ? &wanted_->b : nullptr);
         return desc;
     }
 
     // Of macros and displacements.
     template <class Request>
-    static decltype(Request::desc) describe(const Request& request) {
+    decltype(Request::desc) describe(const Request& request) const {
         decltype(Request::desc) desc = request.desc;
-        show(request.regions, desc.regions, desc.region_count);
+        show(wanted_ ? wanted_->regions : request.regions, desc.regions, desc.region_count);
         return desc;
     }
 
-    std::pmr::vector<std::shared_ptr<const StepRecord>> records_;
+    std::pmr::vector<std::shared_ptr<const TangleStep>> shown_;
     std::pmr::deque<FlgTangleStep> steps_;
     std::pmr::vector<const FlgTangleStep*> shown_steps_;
     std::pmr::deque<FlgTangleDivideDesc> divides_;
@@ -161,6 +202,9 @@ private:
     std::pmr::deque<FlgTangleSeedPlaces> places_;
     std::pmr::deque<std::pmr::vector<const FlgTangleSeedPlaces*>> shown_places_;  // by step
     std::pmr::deque<std::pmr::vector<Position>> made_;                            // likewise
+    std::pmr::vector<uint32_t> identities_;                                       // likewise
+    std::pmr::deque<std::pmr::vector<FlgTangleRegionName>> names_;
+    const WantedRegions* wanted_ = nullptr;  // of the step that is begun
 };
 
 FlgTangleHistory describe(const Tangle& tangle, const ShownHistory& shown) {

@@ -10,6 +10,7 @@
 #include "api/tangle_change.h"
 #include "api/tangle_requests.h"
 #include "runtime/run_now.h"
+#include "tangles/region_names.h"
 
 namespace flg {
 
@@ -87,7 +88,42 @@ StepRecords read_request(const FlgTangleStep& step, Memory* memory) {
     return record_step(JoinRequest{std::move(regions)}, memory);
 }
 
-StepRecords read_step(Memory* memory, const FlgTangleStep& step, const std::shared_ptr<Surface>& surface) {
+// Regions by name, in place of identifiers.
+std::shared_ptr<const WantedRegions> read_names(const FlgTangleStep& step, StepRecord& record, Memory* memory) {
+    const auto wanted = make_object<WantedRegions>(memory, memory);
+    const FlgTangleRegionName* const names = &require(step.names, "names");
+    for (uint32_t i = 0; i < step.name_count; ++i) {
+        const FlgTangleRegionName& name = names[i];
+        if (name.parent != FLG_NO_INDEX && name.parent >= i)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "names[%u].parent is %u, must be below %u, or FLG_NO_INDEX", i,
+                          name.parent, i);
+        WantedRegions::Name& read = wanted->names.emplace_back();
+        check_range(name.reach >= 0 && is_coordinate(name.reach), "names.reach", name.reach, "finite and at least 0");
+        read = {name.step, name.operation, name.part, name.parent, {}, name.reach};
+        for (size_t k = 0; k < 3; ++k) {
+            check_range(is_coordinate(name.place[k]), "names.place", name.place[k], "finite");
+            read.place[k] = name.place[k];
+        }
+    }
+    const auto take = [&](std::pmr::vector<RegionId>* from, std::pmr::vector<uint32_t>& to) {
+        if (!from) return;
+        for (const uint32_t name : *from) {
+            check_range(name < step.name_count, "regions", name, "below name_count");
+            to.push_back(name);
+        }
+        from->clear();
+    };
+    const RegionLists lists = lists_of(record.request);
+    take(lists.regions, wanted->regions);
+    take(lists.a, wanted->a);
+    take(lists.b, wanted->b);
+    if (std::holds_alternative<UngroupRequest>(record.request)) wanted->regions.push_back(step.name_count - 1);
+    return wanted;
+}
+
+}  // namespace
+
+ReplayStep read_step(Memory* memory, const FlgTangleStep& step, const std::shared_ptr<Surface>& surface) {
     check_enum(step.kind, FLG_TANGLE_STEP_KIND_DIVIDE, FLG_TANGLE_STEP_KIND_JOIN, "kind", "FLG_TANGLE_STEP_");
     StepRecords records = read_request(step, memory);
     if (step.placed != 0 && step.place_count == 0) {
@@ -111,8 +147,15 @@ StepRecords read_step(Memory* memory, const FlgTangleStep& step, const std::shar
     // A macro's regions come one operator after the other; together they are followed as well.
     records.back()->first_region = step.first_region;
     records.back()->places = read_positions(step.made, step.made_count, "made", memory);
-    return records;
+    check_enum(step.state, FLG_TANGLE_STEP_STATE_MADE, FLG_TANGLE_STEP_STATE_LOST, "state", "FLG_TANGLE_STEP_STATE_");
+    if (step.name_count > 0) records[0]->wanted = read_names(step, *records[0], memory);
+    ReplayStep read(std::move(records));
+    read.state = static_cast<StepState>(step.state);
+    if (step.why) std::snprintf(read.why.data(), read.why.size(), "%s", step.why);
+    return read;
 }
+
+namespace {
 
 ReplayRequest read_history(Memory* memory, const FlgTangleHistory& history, const std::shared_ptr<Surface>& surface) {
     ReplayRequest request(memory);

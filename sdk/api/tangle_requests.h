@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filigree/filigree_tangle.h"
-#include "tangles/step_record.h"
+#include "tangles/tangle_replay.h"
 
 namespace flg {
 
@@ -20,5 +20,8 @@ DivideRequest read_divide(const FlgTangleDivideDesc& desc, Memory* memory);
 void check_seeds_of(const DivideRequest& request);
 MacroRequest read_macro(const FlgTangleApplyMacroDesc& desc, Memory* memory);
 DisplaceRequest read_displace(const FlgTangleDisplaceDesc& desc, Memory* memory);
+
+// A step as a history has it; `surface`: of its tangle.
+ReplayStep read_step(Memory* memory, const FlgTangleStep& step, const std::shared_ptr<Surface>& surface);
 
 }  // namespace flg

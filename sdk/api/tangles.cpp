@@ -21,10 +21,9 @@ FlgTangleInfo describe(const Tangle& tangle) {
         ++info.leaf_count;
         info.depth = std::max(info.depth, tangle.tree.depth(r));
     }
-    for (size_t i = 0; i < tangle.steps.size(); ++i) {
-        if (tangle.steps[i]->goes_on) continue;
-        ++(i < tangle.made ? info.undo_count : info.redo_count);
-    }
+    info.undo_count = static_cast<uint32_t>(tangle.done);
+    info.redo_count = static_cast<uint32_t>(tangle.acts.size() - tangle.done);
+    info.computed_count = tangle.computed;
     return info;
 }
 

@@ -158,6 +158,7 @@ Task<void> build_blocks(Pace& pace, std::shared_ptr<Surface> surface) {
     pace.stage("blocks");
     try {
         GeodesicBlocks blocks = co_await make_blocks(pace, surface->mesh(), surface->mesh().positions);
+        blocks.edges.fix_mean(surface->solvers.fixed_edge);
         surface->solvers.blocks.emplace(std::move(blocks));
         surface->solvers.has_blocks = true;
     } catch (const std::bad_alloc&) {}

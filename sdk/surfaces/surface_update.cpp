@@ -60,6 +60,7 @@ Task<void> follow(Pace& pace, Surface& surface, const MeshEdit& edit, const Vert
     if (blocks && touched.size() > mesh.vertex_count() / rebuilt_share) {
         blocks.reset();
         GeodesicBlocks made = co_await make_blocks(pace, mesh, mesh.positions);
+        made.edges.fix_mean(surface.solvers.fixed_edge);
         blocks.emplace(std::move(made));
     } else if (blocks) {
         co_await update_blocks(pace, mesh, touched, *blocks);

@@ -12,7 +12,10 @@ namespace flg {
 class TracedCurves final : public Product {
 public:
     TracedCurves(std::shared_ptr<Surface> of_surface, Memory* memory)
-        : surface(std::move(of_surface)), revision(surface->order.revision()), curves(memory) {}
+        : TracedCurves(of_surface, of_surface->order.revision(), memory) {}
+    // For jobs, which must not ask for the revision.
+    TracedCurves(std::shared_ptr<Surface> of_surface, uint32_t of_revision, Memory* memory)
+        : surface(std::move(of_surface)), revision(of_revision), curves(memory) {}
 
     std::shared_ptr<Surface> surface;
     uint32_t revision;

@@ -42,6 +42,9 @@ class TreeEdit {
 public:
     explicit TreeEdit(Memory* memory) : nodes_(memory), added_(memory) {}
 
+    // Of a step that is whole: the regions it added, in order.
+    const std::pmr::deque<RegionNode>& added() const { return added_; }
+
 private:
     friend class RegionTree;
 

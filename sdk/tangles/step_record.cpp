@@ -11,12 +11,11 @@ namespace flg {
 
 namespace {
 
-// So many triangles are looked at of each region, and so many of the mesh beyond these.
-constexpr uint32_t looks_a_region = 16;
-constexpr uint32_t looks_beyond = 1u << 14;
+// So many triangles are looked at of each region, then every second one, and so on: whatever numbers they have.
+constexpr uint32_t looks_a_region = 256;
 
 struct Candidate {
-    uint32_t looks;
+    uint32_t seen;
     uint32_t triangle;
     float room;
 };
@@ -59,7 +58,75 @@ Task<void> record_points(Pace& pace, const Mesh& mesh, const TangleSeeds& seeds,
     anchors.curve_points = std::move(positions);
 }
 
+template <class T>
+Task<Buffer<T>> copy_buffer(Pace& pace, const Buffer<T>& from) {
+    Buffer<T> copy(from.size(), pace.memory());
+    co_await each(pace, copy.size(), Cost::some_ns, [to = copy.data(), &from](uint32_t i) { to[i] = from[i]; });
+    co_return copy;
+}
+
+// Without anchors.
+Task<TangleSeeds> copy_seeds(Pace& pace, const TangleSeeds& from) {
+    TangleSeeds copy(pace.memory());
+    copy.borders = from.borders;
+    copy.stretches = from.stretches;
+    copy.other_loops = from.other_loops;
+    copy.points = co_await copy_buffer(pace, from.points);
+    copy.curves = from.curves;
+    copy.sample_radius = from.sample_radius;
+    copy.sample_count = from.sample_count;
+    copy.border_spacing = from.border_spacing;
+    copy.seed = from.seed;
+    copy.regions = from.regions;
+    co_return copy;
+}
+
+Task<void> copy_anchors(Pace& pace, const SeedAnchors& from, SeedAnchors& to) {
+    to.points = co_await copy_buffer(pace, from.points);
+    to.curve_points = co_await copy_buffer(pace, from.curve_points);
+    to.loops = co_await copy_buffer(pace, from.loops);
+    to.samples = co_await copy_buffer(pace, from.samples);
+    to.known = from.known;
+    to.given = from.given;
+    to.given_curves = from.given_curves;
+}
+
+template <class Request>
+Request with_regions_of(const Request& from, Memory* memory) {
+    Request copy(memory);
+    copy.desc = from.desc;
+    copy.regions = from.regions;
+    return copy;
+}
+
 }  // namespace
+
+Task<std::shared_ptr<StepRecord>> copy_record(Pace& pace, const StepRecord& record) {
+    Memory* const memory = pace.memory();
+    StepRecords copies(memory);
+    if (const auto* const divide = std::get_if<DivideRequest>(&record.request)) {
+        DivideRequest copy = with_regions_of(*divide, memory);
+        copy.a = co_await copy_seeds(pace, divide->a);
+        copy.b = co_await copy_seeds(pace, divide->b);
+        copies = record_step(std::move(copy), memory);
+        co_await copy_anchors(pace, record.a, copies[0]->a);
+        co_await copy_anchors(pace, record.b, copies[0]->b);
+    } else if (const auto* const displace = std::get_if<DisplaceRequest>(&record.request)) {
+        copies = record_step(with_regions_of(*displace, memory), memory);
+    } else if (const auto* const group = std::get_if<GroupRequest>(&record.request)) {
+        copies = record_step(GroupRequest{{group->regions, memory}}, memory);
+    } else if (const auto* const join = std::get_if<JoinRequest>(&record.request)) {
+        copies = record_step(JoinRequest{{join->regions, memory}}, memory);
+    } else {
+        copies = record_step(std::get<UngroupRequest>(record.request), memory);
+    }
+    StepRecord& copy = *copies[0];
+    if (record.macro) copy.macro.emplace(with_regions_of(*record.macro, memory));
+    copy.wanted = record.wanted;
+    copy.first_region = record.first_region;
+    copy.places = co_await copy_buffer(pace, record.places);
+    co_return std::move(copies[0]);
+}
 
 StepRecords record_step(StepRecord::Request request, Memory* memory) {
     StepRecords records(memory);
@@ -92,11 +159,10 @@ Task<void> record_places(Pace& pace, const Mesh& mesh, uint32_t region_count, St
     const RegionId first = record.first_region;
     Buffer<Candidate> candidates(region_count - first, pace.memory());
     co_await each(pace, candidates.size(), Cost::some_ns, [&](uint32_t i) { candidates[i] = {0, no_index, -1}; });
-    const uint32_t triangles = candidates.empty() ? 0 : mesh.triangle_count(), every = triangles / looks_beyond + 1;
     const auto look_at = [&](uint32_t t) {
         Candidate& candidate = candidates[mesh.regions[t] - first];
-        if (candidate.looks >= looks_a_region && t % every != 0) return;
-        ++candidate.looks;
+        const uint32_t seen = candidate.seen++;
+        if (seen % (seen / looks_a_region + 1) != 0) return;
         const float room = room_within(mesh, t);
         if (room > candidate.room) {
             candidate.room = room;

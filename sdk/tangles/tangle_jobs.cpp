@@ -5,6 +5,7 @@
 
 #include "core/failure.h"
 #include "surfaces/surface_update.h"
+#include "tangles/history_edit.h"
 #include "tangles/look_borders.h"
 #include "tangles/region_partition.h"
 #include "tangles/room_work.h"
@@ -14,9 +15,6 @@
 
 namespace flg {
 
-namespace {
-
-// A step: all of it or, if it fails, nothing.
 Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& change) {
     tangle.tree.begin(step.tree);
     std::exception_ptr failure;
@@ -32,19 +30,37 @@ Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& ch
     std::rethrow_exception(failure);
 }
 
+void begin_act(Tangle& tangle, std::shared_ptr<StepTail> tail) {
+    tangle.acts.push_back(std::move(tail));
+}
+
+void keep_act(Tangle& tangle) noexcept {
+    const auto at = [&](size_t i) { return tangle.acts.begin() + static_cast<std::ptrdiff_t>(i); };
+    tangle.acts.erase(at(tangle.done), at(tangle.acts.size() - 1));
+    tangle.done = tangle.acts.size();
+}
+
+namespace {
+
 // The steps of a job, behind all others until they are kept: so no memory is needed once they have come to their end.
 // Steps that were taken back are forgotten only then.
 class NewSteps {
 public:
-    NewSteps(Tangle& tangle, Memory* memory) : tangle_(tangle), memory_(memory), others_(tangle.steps.size()) {}
+    NewSteps(Tangle& tangle, Memory* memory)
+        : tangle_(tangle), memory_(memory), others_(tangle.steps.size()), identity_(++tangle.last_identity) {
+        begin_act(tangle, nullptr);
+    }
     ~NewSteps() {
-        while (!kept_ && count() > 0) drop_last();
+        if (kept_) return;
+        while (count() > 0) drop_last();
+        tangle_.acts.pop_back();
     }
 
     TangleStep& add(std::shared_ptr<StepRecord> record) {
         const std::pmr::polymorphic_allocator<TangleStep> allocator(memory_);
         tangle_.steps.push_back(std::allocate_shared<TangleStep>(allocator, memory_));
         last().record = std::move(record);
+        last().identity = identity_;
         last().goes_on = count() > 1;
         return last();
     }
@@ -55,6 +71,7 @@ public:
         const auto at = [&](size_t i) { return tangle_.steps.begin() + static_cast<std::ptrdiff_t>(i); };
         tangle_.steps.erase(at(tangle_.made), at(others_));
         tangle_.made = tangle_.steps.size();
+        keep_act(tangle_);
         kept_ = true;
     }
 
@@ -62,8 +79,17 @@ private:
     Tangle& tangle_;
     Memory* memory_;
     const size_t others_;
+    const uint32_t identity_;
     bool kept_ = false;
 };
+
+// What a step computes must not depend on how fine its mesh is elsewhere: the mean edge is that of the first mesh.
+void fix_edge(Surface& surface) {
+    GeodesicSolvers& solvers = surface.solvers;
+    if (!solvers.blocks || solvers.fixed_edge > 0) return;
+    solvers.fixed_edge = solvers.blocks->edges.mean();
+    solvers.blocks->edges.fix_mean(solvers.fixed_edge);
+}
 
 Task<void> change_groups(Pace& pace, Tangle& tangle, const std::pmr::vector<RegionId>& regions, bool one_each,
                          TreeEdit& edit) {
@@ -142,10 +168,13 @@ Task<void> join(Pace& pace, Tangle& tangle, const JoinRequest& request, uint32_t
     co_await join_leaves(pace, tangle, leaves, revision, step);
 }
 
-// What the step's record asks for.
 Task<void> change_tangle(Pace& pace, Tangle& tangle, uint32_t revision, TangleStep& step) {
     StepRecord& record = *step.record;
-    record.first_region = tangle.tree.size();
+    const bool ungroups = std::holds_alternative<UngroupRequest>(record.request);
+    const bool groups = ungroups || std::holds_alternative<GroupRequest>(record.request);
+    if (!ungroups) record.first_region = tangle.tree.size();
+    if (!groups) ++tangle.computed;
+    fix_edge(*tangle.surface);
     if (const auto* const to_divide = std::get_if<DivideRequest>(&record.request)) {
         co_await divide(pace, tangle, *to_divide, revision, step);
     } else if (const auto* const to_displace = std::get_if<DisplaceRequest>(&record.request)) {
@@ -161,11 +190,19 @@ Task<void> change_tangle(Pace& pace, Tangle& tangle, uint32_t revision, TangleSt
 
 }  // namespace
 
+Task<void> run_record(Pace& pace, Tangle& tangle, uint32_t revision, TangleStep& step) {
+    Task<void> change = change_tangle(pace, tangle, revision, step);
+    co_await run_step(pace, tangle, step, change);
+}
+
 Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle) {
     pace.stage("labels");
     pace.commit();
     Mesh& mesh = tangle->surface->mesh();
     tangle->base = co_await take_fingerprint(pace, mesh);
+    GeodesicSolvers& solvers = tangle->surface->solvers;
+    solvers.fixed_edge = 0;
+    if (solvers.blocks) solvers.blocks->edges.fix_mean(0);
     co_await each(pace, mesh.triangle_count(), Cost::some_ns, [&](uint32_t t) { mesh.regions[t] = 0; });
     co_await RegionBlocks::begin(pace, mesh.region_blocks, 0);
 }
@@ -174,11 +211,11 @@ Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords rec
     NewSteps steps(*tangle, pace.memory());
     std::exception_ptr failure;
     size_t done = 0;
+    tangle->computed = 0;
     try {
         for (std::shared_ptr<StepRecord>& record : records) {
             TangleStep& step = steps.add(std::move(record));
-            Task<void> change = change_tangle(pace, *tangle, revision, step);
-            co_await run_step(pace, *tangle, step, change);
+            co_await run_record(pace, *tangle, revision, step);
             ++done;
         }
     } catch (...) {
@@ -197,41 +234,55 @@ Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords rec
     std::rethrow_exception(failure);
 }
 
+Task<void> leave_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords records, StepState state,
+                      const char* why) {
+    NewSteps steps(*tangle, pace.memory());
+    pace.commit();
+    for (std::shared_ptr<StepRecord>& record : records) {
+        TangleStep& step = steps.add(std::move(record));
+        tangle->tree.begin(step.tree);
+        step.state = state;
+        step.record->places = {};
+        if (!step.goes_on) std::snprintf(step.why.data(), step.why.size(), "%s", why);
+        co_await pace;
+    }
+    steps.keep();
+}
+
 Task<void> trace_borders(Pace& pace, std::shared_ptr<Tangle> tangle, std::shared_ptr<TracedCurves> out) {
     pace.stage("borders");
     out->curves = co_await look_borders(pace, tangle->surface->mesh(), tangle->tree);
     co_await flatten_curves(pace, *out);
 }
 
-// A step is taken back, or made again, whole or not at all. If memory runs out between two that belong together, the
-// job fails and the next one goes on from there.
 Task<void> undo_step(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t revision) {
-    if (tangle->made == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the tangle has no step to take back");
+    if (tangle->done == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the tangle has no step to take back");
     pace.commit();
-    for (bool goes_on = true; goes_on && tangle->made > 0; --tangle->made) {
-        TangleStep& step = *tangle->steps[tangle->made - 1];
-        if (step.edit) co_await take_back_edit(pace, *tangle->surface, *step.edit, revision);
-        tangle->tree.take_back(step.tree);
-        goes_on = step.goes_on;
+    tangle->computed = 0;
+    if (const std::shared_ptr<StepTail> tail = tangle->acts[tangle->done - 1]) {
+        co_await exchange_tail(pace, *tangle, *tail, revision);
+    } else {
+        size_t count = tangle->made - 1;
+        while (tangle->steps[count]->goes_on) --count;
+        co_await go_to(pace, *tangle, count, revision);
     }
+    --tangle->done;
 }
 
 Task<void> redo_step(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t revision) {
-    if (tangle->made == tangle->steps.size()) {
+    if (tangle->done == tangle->acts.size()) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the tangle has no step to make again");
     }
     pace.commit();
-    do {
-        TangleStep& step = *tangle->steps[tangle->made];
-        tangle->tree.make_again(step.tree);
-        try {
-            if (step.edit) co_await make_edit_again(pace, *tangle->surface, *step.edit, revision);
-        } catch (...) {
-            tangle->tree.take_back(step.tree);
-            throw;
-        }
-        ++tangle->made;
-    } while (tangle->made < tangle->steps.size() && tangle->steps[tangle->made]->goes_on);
+    tangle->computed = 0;
+    if (const std::shared_ptr<StepTail> tail = tangle->acts[tangle->done]) {
+        co_await exchange_tail(pace, *tangle, *tail, revision);
+    } else {
+        size_t count = tangle->made + 1;
+        while (count < tangle->steps.size() && tangle->steps[count]->goes_on) ++count;
+        co_await go_to(pace, *tangle, count, revision);
+    }
+    ++tangle->done;
 }
 
 }  // namespace flg

@@ -27,19 +27,6 @@ namespace flg {
 
 namespace {
 
-// ---- From a partition to leaves of the tree: their places, groups and looks, appendix A
-
-struct NewLeaf {
-    RegionId parent;
-    uint32_t part;  // of the operator's partition, as it numbers them
-};
-
-struct LeafRules {
-    FlgTangleGrouping grouping;
-    uint32_t cycle;
-    bool scaffold;
-};
-
 // Numbers for pairs, each new one the next.
 class PairNumbers {
 public:
@@ -64,8 +51,8 @@ uint32_t group_of_part(LeafRules rules, uint32_t part) {
     }
 }
 
-// Adds leaves to the tree, children of one parent one behind the other, else in the order given; returns the region of
-// each. Fails with FLG_ERROR_LIMIT above FLG_REGION_MAX.
+}  // namespace
+
 Task<Buffer<RegionId>> add_leaves(Pace& pace, RegionTree& tree, TreeEdit& edit, const Buffer<NewLeaf>& leaves,
                                   LeafRules rules) {
     const uint32_t first = tree.size();
@@ -97,6 +84,8 @@ Task<Buffer<RegionId>> add_leaves(Pace& pace, RegionTree& tree, TreeEdit& edit, 
     });
     co_return regions;
 }
+
+namespace {
 
 // What an operator looks at: where it acts.
 struct Scene {
@@ -185,7 +174,9 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
         step.edit.reset();
         co_return;
     }
+    const size_t of_cut = edit.labels().size();
     co_await make_leaves(pace, tangle, scene, partition, leaves, edit, step.tree);
+    co_await forget_passing_labels(pace, scene.surface.mesh(), of_cut, edit);
     co_await update_after_edit(pace, scene.surface, edit, scene.revision);
 }
 

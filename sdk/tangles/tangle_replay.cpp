@@ -7,6 +7,8 @@
 
 #include "core/failure.h"
 #include "runtime/each.h"
+#include "tangles/history_edit.h"
+#include "tangles/region_names.h"
 #include "tangles/seed_location.h"
 #include "tangles/step_removal.h"
 
@@ -18,7 +20,7 @@ namespace {
 constexpr double box_slack = 0.05;
 
 // From the history's identifiers of regions to those of the tangle.
-using RegionMap = std::pmr::deque<RegionId>;
+using Identifiers = std::pmr::deque<RegionId>;
 
 void check_boxes(const MeshFingerprint& history, const MeshFingerprint& mesh) {
     const Vec3 lower = load_vec3(mesh.lower.data()), upper = load_vec3(mesh.upper.data());
@@ -31,7 +33,7 @@ void check_boxes(const MeshFingerprint& history, const MeshFingerprint& mesh) {
                   size);
 }
 
-Task<void> map_regions(Pace& pace, const RegionMap& map, const char* argument, std::pmr::vector<RegionId>& regions) {
+Task<void> map_regions(Pace& pace, const Identifiers& map, const char* argument, std::pmr::vector<RegionId>& regions) {
     co_await each(pace, regions.size(), Cost::tens_of_ns, [&](uint32_t i) {
         if (regions[i] >= map.size())
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%u] is %u, the history has made %zu regions so far", argument,
@@ -41,7 +43,7 @@ Task<void> map_regions(Pace& pace, const RegionMap& map, const char* argument, s
 }
 
 // Gives the step's regions and groups the names they have in the tangle.
-Task<void> translate(Pace& pace, const RegionTree& tree, const RegionMap& map, StepRecord& record) {
+Task<void> translate(Pace& pace, const RegionTree& tree, const Identifiers& map, StepRecord& record) {
     if (auto* const divide = std::get_if<DivideRequest>(&record.request)) {
         co_await map_regions(pace, map, "desc.regions", divide->regions);
         co_await map_regions(pace, map, "desc.a.regions", divide->a.regions);
@@ -69,6 +71,21 @@ std::optional<size_t> regions_after(const StepRecords& records) {
     return count;
 }
 
+// The last step's first operator.
+size_t step_begin(const Tangle& tangle) {
+    size_t begin = tangle.steps.size() - 1;
+    while (tangle.steps[begin]->goes_on) --begin;
+    return begin;
+}
+
+// Names say which steps they are of by identities, not by places in the history.
+void name_steps(ReplayStep& step, uint32_t first_identity) {
+    if (!step.records[0]->wanted) return;
+    auto& wanted = const_cast<WantedRegions&>(*step.records[0]->wanted);  // it is the request's own
+    for (WantedRegions::Name& name : wanted.names)
+        if (name.step != no_index) name.step += first_identity;
+}
+
 // What a step made, by the history.
 struct Made {
     RegionId first;
@@ -76,7 +93,7 @@ struct Made {
 };
 
 // The regions of the tangle that lie where those of the history did.
-Task<void> follow_regions(Pace& pace, const Mesh& mesh, const std::pmr::deque<Made>& all, RegionMap& map) {
+Task<void> follow_regions(Pace& pace, const Mesh& mesh, const std::pmr::deque<Made>& all, Identifiers& map) {
     pace.stage("locate");
     std::optional<NearestPoints> nearest;
     for (const Made& made : all) {
@@ -95,28 +112,48 @@ Task<void> follow_regions(Pace& pace, const Mesh& mesh, const std::pmr::deque<Ma
     }
 }
 
-Task<void> make_elsewhere(Pace& pace, const std::shared_ptr<Tangle>& tangle, StepRecords records, uint32_t revision,
-                          RegionMap& map) {
+// Makes a step, or leaves it as it is.
+Task<void> make_or_leave(Pace& pace, const std::shared_ptr<Tangle>& tangle, ReplayStep step, uint32_t revision) {
+    RegionsFound found;
+    if (step.records[0]->wanted) {
+        const flg::RegionMap as_they_are(no_region, pace.memory());
+        found = co_await find_regions(pace, tangle->tree, tangle->steps, tangle->steps, as_they_are, step.records);
+    }
+    if (step.state != StepState::made) {
+        co_await leave_step(pace, tangle, std::move(step.records), step.state, step.why.data());
+        co_return;
+    }
+    if (!found.enough) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "names: none of them is of a region that is there");
+    co_await make_step(pace, tangle, std::move(step.records), revision);
+    if (found.found < found.wanted) tangle->steps[step_begin(*tangle)]->why = step.why;
+}
+
+Task<void> make_elsewhere(Pace& pace, const std::shared_ptr<Tangle>& tangle, ReplayStep step, uint32_t revision,
+                          Identifiers& map) {
     std::pmr::deque<Made> made(pace.memory());
-    for (const std::shared_ptr<StepRecord>& record : records) {
-        co_await translate(pace, tangle->tree, map, *record);
+    for (const std::shared_ptr<StepRecord>& record : step.records) {
+        if (!step.records[0]->wanted) co_await translate(pace, tangle->tree, map, *record);
         made.push_back({record->first_region, std::move(record->places)});
     }
-    co_await make_step(pace, tangle, std::move(records), revision);
-    co_await follow_regions(pace, tangle->surface->mesh(), made, map);
+    const bool is_made = step.state == StepState::made;
+    co_await make_or_leave(pace, tangle, std::move(step), revision);
+    if (is_made) co_await follow_regions(pace, tangle->surface->mesh(), made, map);
 }
 
 Task<void> make_all(Pace& pace, const std::shared_ptr<Tangle>& tangle, ReplayRequest& request, uint32_t revision) {
     const bool same = request.base.number == tangle->base.number;
     if (!same) check_boxes(request.base, tangle->base);
-    RegionMap map(pace.memory());
+    Identifiers map(pace.memory());
     map.push_back(0);
+    const uint32_t first_identity = tangle->last_identity + 1;
     for (size_t i = 0; i < request.steps.size(); ++i) {
-        StepRecords records = std::move(request.steps[i]);
+        ReplayStep step = std::move(request.steps[i]);
+        name_steps(step, first_identity);
         try {
             if (same) {
-                const std::optional<size_t> expected = regions_after(records);
-                co_await make_step(pace, tangle, std::move(records), revision);
+                const std::optional<size_t> expected =
+                    step.state == StepState::made ? regions_after(step.records) : std::nullopt;
+                co_await make_or_leave(pace, tangle, std::move(step), revision);
                 if (expected && *expected != tangle->tree.size()) {
                     throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                                   "the tangle has %u regions after it, by the history %zu: it was changed, or made by "
@@ -124,21 +161,16 @@ Task<void> make_all(Pace& pace, const std::shared_ptr<Tangle>& tangle, ReplayReq
                                   tangle->tree.size(), *expected);
                 }
             } else {
-                co_await make_elsewhere(pace, tangle, std::move(records), revision, map);
+                co_await make_elsewhere(pace, tangle, std::move(step), revision, map);
             }
         } catch (const Failure& failure) {
             throw Failure(failure.result(), "history.steps[%zu]: %.200s", i, failure.what());
         }
     }
     // From here on the history is made; what remains is to take back.
-    size_t undone = request.steps.size() - request.made;
-    while (undone > 0) {
-        TangleStep& step = *tangle->steps[tangle->made - 1];
-        if (step.edit) co_await take_back_edit(pace, *tangle->surface, *step.edit, revision);
-        tangle->tree.take_back(step.tree);
-        --tangle->made;
-        if (!step.goes_on) --undone;
-    }
+    const std::pmr::vector<size_t> begins = step_begins(*tangle, tangle->made, pace.memory());
+    co_await go_to(pace, *tangle, begins[request.made], revision);
+    tangle->done = request.made;
 }
 
 }  // namespace
@@ -154,6 +186,8 @@ Task<void> replay_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, ReplayReque
         failure = std::current_exception();
     }
     if (!failure) co_return;
+    tangle->done = 0;
+    tangle->acts.clear();
     for (; !tangle->steps.empty(); tangle->steps.pop_back()) {
         if (tangle->made < tangle->steps.size()) continue;  // taken back already
         for (StepRemoval removal(*tangle, *tangle->steps.back()); removal.goes_on();) co_await pace;

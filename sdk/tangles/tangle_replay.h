@@ -3,16 +3,28 @@
 // regions are found by where they were.
 #pragma once
 
+#include <array>
+
 #include "tangles/tangle_jobs.h"
 
 namespace flg {
+
+struct ReplayStep {
+    explicit ReplayStep(StepRecords of_step) : records(std::move(of_step)) {}
+
+    // With anchors and places as far as they are known. Names of wanted regions are of steps by their place in the
+    // history.
+    StepRecords records;
+    StepState state = StepState::made;
+    std::array<char, 256> why{};
+};
 
 struct ReplayRequest {
     explicit ReplayRequest(Memory* memory) : steps(memory) {}
 
     MeshFingerprint base;
-    std::pmr::deque<StepRecords> steps;  // with anchors and places as far as they are known
-    size_t made = 0;                     // the others are taken back again
+    std::pmr::deque<ReplayStep> steps;
+    size_t made = 0;  // the others are taken back again
 };
 
 // The whole of flgTangleReplay.

@@ -41,8 +41,9 @@ class Grammar(unittest.TestCase):
 
     # Nouns that are no types of the interface.
     NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Columns", "Debug", "Indices"}
-    VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|End|Find|Get|Group|Init|Join|"
-             "Lift|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|Resume|Run|Sample|Set|Simplify|Split|"
+    VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|Edit|End|Find|Get|Group|Init|"
+             "Insert|Join|Lift|Move|Mute|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|"
+             "Resume|Run|Sample|Set|Simplify|Split|"
              "Stylize|Sweep|Tick|Trace|Undo|Ungroup|Wait|Warm|Write").split("|")
 
     def nouns(self) -> set:
@@ -101,7 +102,7 @@ class Grammar(unittest.TestCase):
 
     # Values whose layout never changes: what is new comes as an array beside them.
     VALUES = {"FlgStageTime", "FlgColumn", "FlgStyleAttribute", "FlgStyleDrive", "FlgPatchSize", "FlgBufferColumn",
-              "FlgSurfacePoint", "FlgAxisSample", "FlgBorderStretch", "FlgObstacleSide", "FlgRay", "FlgHit",
+              "FlgSurfacePoint", "FlgAxisSample", "FlgBorderStretch", "FlgTangleRegionName", "FlgObstacleSide", "FlgRay", "FlgHit",
               "FlgDebugVertex", "FlgRigJoint"}
 
     def test_all_structs_can_grow_but_plain_values(self):

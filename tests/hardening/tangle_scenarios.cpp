@@ -120,6 +120,26 @@ void edit_tangles(Calls& calls) {
     }
     FLG_CALL(calls, flgTangleRedo, calls.context, decorated.tangle, nullptr, calls.job());
     finish(calls, decorated);
+    FLG_CALL(calls, flgTangleMuteStep, calls.context, decorated.tangle, 1u, 1u, nullptr, calls.job());
+    finish(calls, decorated);
+    FlgTangleHistory history{};
+    history.struct_size = sizeof history;
+    FLG_CALL(calls, flgTangleGetHistory, calls.context, decorated.tangle, &history);
+    FlgTangleStep step = *history.steps[0];
+    FlgTangleDivideDesc narrower = *step.divide;
+    narrower.delta = 0.12f;
+    step.divide = &narrower;
+    FLG_CALL(calls, flgTangleEditStep, calls.context, decorated.tangle, 0u, &step, nullptr, calls.job());
+    finish(calls, decorated);
+    FLG_CALL(calls, flgTangleGetHistory, calls.context, decorated.tangle, &history);
+    FLG_CALL(calls, flgTangleInsertStep, calls.context, decorated.tangle, 2u, history.steps[0], nullptr, calls.job());
+    finish(calls, decorated);
+    FLG_CALL(calls, flgTangleMoveStep, calls.context, decorated.tangle, 2u, 1u, nullptr, calls.job());
+    finish(calls, decorated);
+    FLG_CALL(calls, flgTangleRemoveStep, calls.context, decorated.tangle, 1u, nullptr, calls.job());
+    finish(calls, decorated);
+    FLG_CALL(calls, flgTangleUndo, calls.context, decorated.tangle, nullptr, calls.job());
+    finish(calls, decorated);
 }
 
 void replay_tangles(Calls& calls) {

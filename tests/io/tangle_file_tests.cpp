@@ -240,6 +240,32 @@ TEST(TangleFile, WhatIsWrittenIsReadToTheBit) {
     EXPECT_EQ(slurp(folder.at("a.json")), slurp(folder.at("b/a.json")));
 }
 
+TEST(TangleFile, StepsThatDoNothingStayAsTheyAre) {
+    const Folder folder;
+    MadeUp made;
+    const std::array<FlgTangleRegionName, 3> names = {{{FLG_NO_INDEX, 0, 0, FLG_NO_INDEX, {}, 0},
+                                                       {2, 1, 7, 0, {0.1f, -2, 1.0f / 3}, 0.25f},
+                                                       {FLG_NO_INDEX, 0, 1, 1, {1, 2, 3}, 0}}};
+    made.steps[0].state = FLG_TANGLE_STEP_STATE_MUTED;
+    made.steps[3].state = FLG_TANGLE_STEP_STATE_LOST;
+    made.steps[3].why = "the \"first\" region is gone";
+    made.steps[3].names = names.data();
+    made.steps[3].name_count = 3;
+    made.steps[4].why = "1 of its 2 regions are not there";
+    const std::string path = folder.at("a.json");
+    ASSERT_EQ(flgTangleFileWrite(path.c_str(), &made.history, nullptr), FLG_OK) << flgIoErrorGetMessage();
+    EXPECT_NE(slurp(path).find("\"version\": 2"), std::string::npos);
+    const Opened read(path);
+    ASSERT_EQ(read.result, FLG_OK) << read.error;
+    for (uint32_t i = 0; i < 6; ++i) {
+        const FlgTangleStep& step = *read.history.steps[i];
+        EXPECT_EQ(step.state, made.steps[i].state);
+        EXPECT_STREQ(step.why ? step.why : "", made.steps[i].why ? made.steps[i].why : "");
+        ASSERT_EQ(step.name_count, made.steps[i].name_count);
+    }
+    expect_same(names.data(), read.history.steps[3]->names, names.size());
+}
+
 TEST(TangleFile, ShortHistoriesNeedNoSideFile) {
     const Folder folder;
     MadeUp made;
@@ -414,7 +440,7 @@ TEST_F(HostileTangleFile, TextThatIsNoDocument) {
 }
 
 TEST_F(HostileTangleFile, ValuesThatCantBe) {
-    expect_refused("\"version\": 1", "\"version\": 2", "version: is 2, only 1 is known");
+    expect_refused("\"version\": 1", "\"version\": 3", "version: is 3, only 1 and 2 are known");
     expect_refused("\"version\": 1", "\"version\": \"1\"", "version: must be a whole number");
     expect_refused("\"filigree\": \"tangle\"", "\"filigree\": \"style\"", "filigree: must be 'tangle'");
     expect_refused("\"made\": 4", "\"made\": 7", "made: must be a whole number from 0 to 6");

@@ -96,6 +96,13 @@ void edits(WatchedHost& host, uint32_t size) {
     host.finish();
     FlgTangleHistory history = flgTangleHistoryDefaults();
     host.call("flgTangleGetHistory", flgTangleGetHistory, made.tangle, &history);
+    host.call("flgTangleMuteStep", flgTangleMuteStep, made.tangle, 0u, 1u, nullptr, host.job());
+    host.finish();
+    host.call("flgTangleUndo", flgTangleUndo, made.tangle, nullptr, host.job());
+    host.finish();
+    host.call("flgTangleMoveStep", flgTangleMoveStep, made.tangle, 1u, 2u, nullptr, host.job());
+    host.finish();
+    host.call("flgTangleGetHistory", flgTangleGetHistory, made.tangle, &history);
     const Decorated other = begin(host, size);
     host.copy("flgTangleReplay", flgTangleReplay, other.tangle, &history, nullptr, host.job());
     host.finish();

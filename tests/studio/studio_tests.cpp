@@ -61,6 +61,10 @@ TEST(Studio, OrnamentsAVase) {
     plays("tangles", Folder());
 }
 
+TEST(Studio, ChangesStepsOfAnOrnamentBeforeTheLast) {
+    plays("tangle_history", Folder());
+}
+
 TEST(Studio, DrawsAnAnimalThatIsMovedRefinedAndPosed) {
     plays("skeletons", Folder());
 }

@@ -269,6 +269,31 @@ TEST_F(Tangle, DocumentsAreMadeAgainOnFinerMeshes) {
     EXPECT_GT(fine.at("cut_triangles"), 3 * coarse.at("cut_triangles").get<int>());
 }
 
+TEST_F(Tangle, MutedOperationsDoNothingAndStayInTheDocument) {
+    folder.write("script.json", R"({
+      "operations": [
+        {"name": "bands", "op": "contour", "on": "root", "from": {"points": [312]}, "delta": 0.6, "count": 0},
+        {"name": "dots", "op": "contour", "on": "bands.background", "each": true, "mute": true,
+         "from": {"samples": {"radius": 0.35}}, "delta": 0.1},
+        {"op": "displace", "on": "dots.foreground", "amount": 0.05, "bias": 0.7},
+        {"name": "rest", "op": "outline", "on": "bands.foreground", "size": 0.05}
+      ]})");
+    const Outcome outcome = run(command({"--document", "doc.json"}));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(report().at("warnings").dump().find("is left out: what it is on is made by"), std::string::npos);
+    const nlohmann::json document = nlohmann::json::parse(folder.read("doc.json"));
+    EXPECT_EQ(document.at("version"), 2);
+    uint32_t muted = 0;
+    for (const nlohmann::json& step : document.at("steps")) muted += step.value("mute", false) ? 1 : 0;
+    EXPECT_EQ(muted, 3u) << "a step for each of three bands";
+    EXPECT_EQ(document.at("steps").size(), 5u);
+    // It comes to the same file again.
+    const std::string first = folder.read("out.glb");
+    done({"tangle", "sphere.off", "doc.json", "-o", "again.glb", "--document", "again.json", "--quiet"});
+    EXPECT_TRUE(folder.read("again.glb") == first);
+    EXPECT_EQ(nlohmann::json::parse(folder.read("again.json")).at("steps"), document.at("steps"));
+}
+
 TEST_F(Tangle, DocumentsThatCantBeMadeSayWhy) {
     folder.write("script.json", kScript);
     done(command({"--document", "doc.json"}));
@@ -280,8 +305,8 @@ TEST_F(Tangle, DocumentsThatCantBeMadeSayWhy) {
         EXPECT_FALSE(folder.has("bad.glb"));
     };
     nlohmann::json bad = document;
-    bad["version"] = 2;
-    refused(bad, {"bad.json", "version", "only 1 is known"});
+    bad["version"] = 3;
+    refused(bad, {"bad.json", "version", "only 1 and 2 are known"});
     bad = document;
     bad["steps"][1]["on"] = {4000};
     refused(bad, {"bad.json", "steps[1]", "is 4000, the tangle has"});

@@ -23,6 +23,8 @@ constexpr double kOperatorMs = 20, kUndoMs = 30, kSamplesOverSolve = 2, kCellsOv
 constexpr uint32_t kSmallCells = 200, kEachCells = 223, kRandomSteps = 500;
 constexpr double kSmallMs = 2.5, kWorstMs = 400, kEachMs = 300, kPerturbed = 1.3, kDisplaceNs = 150;
 constexpr float kNoiseFrequency = 20;
+constexpr uint32_t kEditTriangles = 500'000, kEditSteps = 30, kEdits = 11;
+constexpr double kEditMs = 150;
 constexpr uint32_t kFrameSteps = 40, kBudgetUs = 2000;
 constexpr double kTickUs = 2500, kVisibleMs = 200, kFrameMs = 1000.0 / 90;
 
@@ -52,9 +54,9 @@ uint64_t processor_ns(void*) {
 class Session {
 public:
     explicit Session(const FlgAllocator& memory = flgAllocatorDefaults(), const FlgClock& clock = flgClockDefaults(),
-                     uint32_t workers = 0)
+                     uint32_t workers = 0, uint32_t triangles = kTriangles)
         : host_(memory, clock, workers) {
-        const MeshArrays mesh = bumpy_torus(kTriangles);
+        const MeshArrays mesh = bumpy_torus(triangles);
         FlgColumn column;
         FlgSurfaceDesc desc = flgSurfaceDefaults();
         const FlgMeshView input = mesh.view(column);
@@ -125,6 +127,19 @@ public:
         desc.amount = amount;
         FlgJob job{};
         check(flgTangleDisplace(host_.context(), &desc, &job));
+        return job;
+    }
+    // A step of the history, counted from 0, with another distance between its lines.
+    FlgJob edit(uint32_t step, float delta) {
+        FlgTangleHistory history{};
+        history.struct_size = sizeof history;
+        check(flgTangleGetHistory(host_.context(), tangle_, &history));
+        FlgTangleDivideDesc desc = *history.steps[step]->divide;
+        desc.delta = delta;
+        FlgTangleStep changed = *history.steps[step];
+        changed.divide = &desc;
+        FlgJob job{};
+        check(flgTangleEditStep(host_.context(), tangle_, step, &changed, nullptr, &job));
         return job;
     }
     uint32_t vertex_count() {
@@ -325,8 +340,29 @@ void measure_random_steps(std::vector<Row>& rows) {
         below("2 M triangles: redo of these, worst", *std::max_element(redo.begin(), redo.end()), "ms", kUndoMs, note));
 }
 
+// Step 3 of 30 with another number: cells, then a band along the border of one after the other. And
+// the first one, which all others need.
+void measure_edits(std::vector<Row>& rows) {
+    const FlgClock clock = {sizeof(FlgClock), nullptr, processor_ns};
+    Session session(flgAllocatorDefaults(), clock, 0, kEditTriangles);
+    session.finish(session.divide(FLG_TANGLE_OPERATOR_VORONOI, 0, samples(0.05f, kEditSteps), 1, 1));
+    for (uint32_t cell = 1; cell < kEditSteps; ++cell)
+        session.finish(session.divide(FLG_TANGLE_OPERATOR_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER), 0.01f, 1));
+    std::vector<double> edits;
+    for (uint32_t i = 0; i < kEdits; ++i)
+        edits.push_back(session.finish(session.edit(2, 0.012f + 0.001f * static_cast<float>(i))));
+    const uint32_t computed = session.info().computed_count;
+    const double undo = session.undo();
+    const double all = session.finish(session.edit(0, 1));
+    char note[160];
+    std::snprintf(note, sizeof note, "longest %.1f; %u computed; undo of it %.1f; first step edited %.1f (%u computed)",
+                  *std::max_element(edits.begin(), edits.end()), computed, undo, all, session.info().computed_count);
+    rows.push_back(below("500,000 triangles: step 3 of 30 edited, median of 11", median(edits), "ms", kEditMs, note));
+}
+
 std::vector<Row> run_tangles() {
     std::vector<Row> rows;
+    measure_edits(rows);
     measure_small_regions(rows);
     measure_each(rows);
     measure_random_steps(rows);

@@ -102,10 +102,17 @@ void Ornament::make(const Owner& owner) {
 void Ornament::finished() {
     if (failed_ || mesh() == nullptr) return;
     regions.refresh(tangle);
+    steps = list_steps(tangle);
+    if (carried_) paints = carried_->paints.on(steps, regions, carried_->moved, carried_->edited, carried_->to);
+    carried_.reset();
     if (live) live->is_made = regions.undo_count() > live->undo_count;
     // The first time it was only made ready.
     if (revision_++ > 0) ++app_.changes;
     recolor();
+}
+
+void Ornament::carry_paints(Moved moved, uint32_t edited, uint32_t to) {
+    carried_.emplace(Carrying{{steps, regions, paints}, moved, edited, to});
 }
 
 void Ornament::begin(Action action, const Regions& on) {

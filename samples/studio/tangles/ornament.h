@@ -8,6 +8,7 @@
 
 #include "shell/workspace.h"
 #include "tangles/coloring.h"
+#include "tangles/history_list.h"
 #include "tangles/recipe.h"
 
 namespace flg::studio {
@@ -58,6 +59,11 @@ public:
     void run(const std::string& name, filigree::Job job, const Owner& owner, Jobs::Shown shown, Then then = {});
     void make(const Owner& owner);
 
+    // The next job edits the history: paints follow their regions.
+    using Moved = std::optional<uint32_t> (*)(uint32_t step, uint32_t edited, uint32_t to);
+    void carry_paints(Moved moved, uint32_t edited, uint32_t to);
+    void forget_carried() { carried_.reset(); }
+
     // What the step that is tried has made and that looks other than what it lies in; all that it raises.
     Regions new_parts() const;
 
@@ -79,6 +85,7 @@ public:
 
     filigree::Tangle tangle;
     RegionList regions;
+    std::vector<HistoryStep> steps;
     Paints paints;
     std::optional<LiveStep> live;
     bool shows_scaffolds = false;
@@ -92,6 +99,12 @@ private:
     int running_ = 0;
     uint32_t revision_ = 0;
     bool failed_ = false;
+    struct Carrying {
+        CarriedPaints paints;
+        Moved moved;
+        uint32_t edited, to;
+    };
+    std::optional<Carrying> carried_;
     std::vector<uint32_t> materials_;
 };
 

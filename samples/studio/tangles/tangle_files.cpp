@@ -39,6 +39,7 @@ TanglesWorkspace::Kept TanglesWorkspace::kept() const {
     for (const auto& [mesh, ornament] : ornaments_) {
         if (ornament->regions.count() == 0) continue;
         if (nlohmann::json json = to_json(*ornament); !json.is_null()) all.ornaments[mesh] = std::move(json);
+        all.acts.count_anew(mesh, static_cast<uint32_t>(ornament->steps.size()));
     }
     // What is being tried counts as kept.
     if (const Ornament* ornament = trying(); ornament != nullptr && ornament->live->is_made) {

@@ -32,6 +32,7 @@ void TanglesWorkspace::panel() {
     draw_deeds();
     if (ornament->live) draw_live(*ornament);
     draw_materials();
+    draw_history(*ornament);
     draw_regions(*ornament);
 }
 

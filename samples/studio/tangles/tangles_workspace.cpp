@@ -112,6 +112,7 @@ void TanglesWorkspace::update() {
     }
     for (const auto& [id, ornament] : ornaments_)
         if (ornament->wants_try() && ornament->mesh()->ready) try_again(*ornament);
+    try_edit();
     if (Ornament* ornament = active(); ornament != nullptr && ornament->idle())
         selected_ = ornament->regions.existing(selected_);
     refresh_highlights();
@@ -333,8 +334,15 @@ void TanglesWorkspace::apply(const UndoStep& step, bool forward) {
         ornament->recolor();
         return;
     }
+    step_edit_.reset();
+    for (uint32_t i = 1; i < step.times; ++i)
+        ornament->run("Undoing", forward ? ornament->tangle.redo() : ornament->tangle.undo(), owner(),
+                      Jobs::Shown::quiet);
     ornament->run(forward ? "Redoing" : "Undoing", forward ? ornament->tangle.redo() : ornament->tangle.undo(), owner(),
-                  Jobs::Shown::listed, [this, forward](const FlgJobStatus& status) {
+                  Jobs::Shown::listed,
+                  [this, forward, mesh = step.mesh, other = step.other_paints](const FlgJobStatus& status) {
+                      if (Ornament* done = find(mesh); status.result == FLG_OK && other && done != nullptr)
+                          std::swap(done->paints, *other);
                       if (status.result == FLG_OK) return;
                       forward ? undo_steps_.undo() : undo_steps_.redo();
                       app_.timeline.not_done(*this, forward);
@@ -438,6 +446,14 @@ double TanglesWorkspace::count(const std::string& name) const {
     if (name == "trying") return trying() != nullptr ? 1.0 : 0.0;
     if (name == "regions") return ornament != nullptr ? ornament->regions.count() : 0.0;
     if (name == "leaves") return ornament != nullptr ? static_cast<double>(ornament->regions.leaves().size()) : 0.0;
+    const auto count_steps = [&](FlgTangleStepState state) {
+        if (ornament == nullptr) return 0.0;
+        return static_cast<double>(std::count_if(ornament->steps.begin(), ornament->steps.end(),
+                                                 [state](const HistoryStep& step) { return step.state == state; }));
+    };
+    if (name == "steps") return ornament != nullptr ? static_cast<double>(ornament->steps.size()) : 0.0;
+    if (name == "muted") return count_steps(FLG_TANGLE_STEP_STATE_MUTED);
+    if (name == "lost") return count_steps(FLG_TANGLE_STEP_STATE_LOST);
     if (name == "painted") return ornament != nullptr ? static_cast<double>(ornament->paints.size()) : 0.0;
     if (name == "unpainted")
         return ornament != nullptr ? static_cast<double>(ornament->regions.leaves().size()) -

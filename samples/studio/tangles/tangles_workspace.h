@@ -130,6 +130,15 @@ private:
     void draw_materials();
     void draw_material_editor();
     void draw_regions(const Ornament& ornament);
+    void draw_history(Ornament& ornament);
+    void draw_step_edit(const Ornament& ornament);
+
+    // Of steps before the last.
+    enum class EditKind { mute, move, remove };
+    void edit_history(const char* name, uint32_t to, EditKind kind);
+    void run_edit(Ornament& ornament, const char* name, filigree::Job job, Ornament::Moved moved, uint32_t to,
+                  bool goes_on);
+    void try_edit();
 
     Palette palette_ = house_palette();
     std::map<uint32_t, std::unique_ptr<Ornament>> ornaments_;
@@ -146,6 +155,15 @@ private:
     std::optional<Palette> palette_before_;  // while it is being changed
     RegionRows rows_;
     bool shows_groups_ = false, hovers_row_ = false;
+
+    // The step that is chosen in the list, and what its numbers become.
+    struct StepEdit {
+        uint32_t mesh, step;
+        StepNumbers now, tried, first{};
+        uint32_t tries = 0;
+        std::string error{};
+    };
+    std::optional<StepEdit> step_edit_;
 
     // Of the step that is tried.
     bool edits_towards_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tangles/undo_steps.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "shell/studio_error.h"
@@ -23,6 +24,23 @@ void UndoSteps::push(UndoStep step) {
     forget_undone();
     undo_steps_.push_back(std::move(step));
     ++done_;
+}
+
+bool UndoSteps::extend_edit(uint32_t mesh) {
+    if (done_ == 0 || done_ != undo_steps_.size()) return false;
+    UndoStep& last = undo_steps_.back();
+    if (last.mesh != mesh || !last.other_paints) return false;
+    ++last.times;
+    return true;
+}
+
+void UndoSteps::count_anew(uint32_t mesh, uint32_t steps) {
+    const auto is_edit = [mesh](const UndoStep& step) { return step.mesh == mesh && step.other_paints; };
+    if (std::none_of(undo_steps_.begin(), undo_steps_.end(), is_edit)) return;
+    forget_undone();
+    forget_mesh(mesh);
+    undo_steps_.insert(undo_steps_.begin(), steps, {.kind = UndoStep::Kind::step, .mesh = mesh});
+    done_ = undo_steps_.size();
 }
 
 size_t UndoSteps::forget_mesh(uint32_t mesh) {

@@ -3,6 +3,8 @@
 // here.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "tangles/coloring.h"
@@ -18,6 +20,9 @@ struct UndoStep {
     enum class Kind { step, paint, palette };
     Kind kind = Kind::step;
     uint32_t mesh = 0;  // 0: of a palette
+    // Of an edit of the history: the mesh's paints on the other side of it, and how many edits it is.
+    std::shared_ptr<std::map<uint32_t, uint32_t>> other_paints{};
+    uint32_t times = 1;
     std::vector<PaintChange> paints{};
     Palette before{}, after{};
 };
@@ -27,6 +32,10 @@ public:
     void push(UndoStep step);
     // A new step makes those that were taken back impossible.
     void forget_undone() { undo_steps_.resize(done_); }
+    // The last step becomes one edit more, if it is an edit of the mesh's history; else false.
+    bool extend_edit(uint32_t mesh);
+    // What was done to a mesh whose history was edited becomes as many steps as that has now.
+    void count_anew(uint32_t mesh, uint32_t steps);
     // Returns how many were of it and done.
     size_t forget_mesh(uint32_t mesh);
 

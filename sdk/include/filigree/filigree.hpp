@@ -427,6 +427,9 @@ using TangleMacro = FlgTangleMacro;
 /// The function that made a step.
 using TangleStepKind = FlgTangleStepKind;
 
+/// What a step does.
+using TangleStepState = FlgTangleStepState;
+
 /// What a file is opened for.
 using FileAccess = FlgFileAccess;
 
@@ -513,6 +516,9 @@ using RigJoint = FlgRigJoint;
 /// They are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of the
 /// loop's length from its first vertex.
 using BorderStretch = FlgBorderStretch;
+
+/// A region by how it was made: what it is known by while it is not there.
+using TangleRegionName = FlgTangleRegionName;
 
 /// FlgTangleInfo of the C ABI.
 using TangleInfo = FlgTangleInfo;
@@ -1353,7 +1359,7 @@ private:
 
 /// All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h).
 struct TangleHistory {
-    /// including undone steps
+    /// including undone steps, up to the first undone edit
     uint32_t step_count{};
     /// steps not undone
     uint32_t made_count{};
@@ -2617,6 +2623,13 @@ struct TangleStep : FlgTangleStep {
     }
     /// A list would end before the descriptor is used.
     void set_made(std::initializer_list<float>) = delete;
+    /// Sets names and name_count. The array must live until the descriptor is used.
+    void set_names(Span<const FlgTangleRegionName> values) {
+        names = values.data();
+        name_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_names(std::initializer_list<FlgTangleRegionName>) = delete;
 };
 
 /// Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on their
@@ -3921,8 +3934,9 @@ public:
         return detail::made(result, SurfaceCurves(context_, out_curves));
     }
 
-    /// Starts a job that undoes the last step; fails if there is none. (A failed job makes no step.) Cost: that of what
-    /// the step changed.
+    /// Starts a job that undoes the last step, or the last edit of the history if that came later; fails if there is
+    /// neither. (A failed job makes no step.) Cost: that of what the step changed; of an edit, that of the steps it
+    /// computed or put elsewhere, before and after.
     /// Calls flgTangleUndo.
     Result<Job> undo(const FlgJobOptions* job = nullptr) const {
         FlgJob out_job{};
@@ -3930,8 +3944,8 @@ public:
         return detail::made(result, Job(context_, out_job));
     }
 
-    /// Starts a job that redoes the last undone step. A new step discards undone steps. Cost: that of what the step
-    /// changes.
+    /// Starts a job that redoes the last undone step or edit. A new step or edit discards what was undone. Cost: that
+    /// of what the step changes.
     /// Calls flgTangleRedo.
     Result<Job> redo(const FlgJobOptions* job = nullptr) const {
         FlgJob out_job{};
@@ -3960,6 +3974,52 @@ public:
     Result<Job> replay(const FlgTangleHistory& history, const FlgJobOptions* job = nullptr) const {
         FlgJob out_job{};
         const FlgResult result = flgTangleReplay(context_, handle_, &history, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
+    /// Starts a job that replaces the arguments of a step. `desc` is read as flgTangleReplay reads a step of a history,
+    /// so one from flgTangleGetHistory with other numbers will do; its regions are those before the step. The array is
+    /// copied. Points are on the surface as it was then: where that is not known, set `placed` and give positions. A
+    /// muted step stays muted. Fails if the step cannot be made. Cost: as above.
+    /// Calls flgTangleEditStep.
+    Result<Job> edit_step(uint32_t step, const TangleStep& desc, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgTangleEditStep(context_, handle_, step, &desc, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
+    /// Likewise for a new step, which gets the index `step`: at most the number of steps that are not undone. Cost: as
+    /// above.
+    /// Calls flgTangleInsertStep.
+    Result<Job> insert_step(uint32_t step, const TangleStep& desc, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgTangleInsertStep(context_, handle_, step, &desc, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
+    /// Starts a job that moves a step to another index, which it has afterwards. Before the step that makes its regions
+    /// it is lost. Cost: as above.
+    /// Calls flgTangleMoveStep.
+    Result<Job> move_step(uint32_t step, uint32_t to, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgTangleMoveStep(context_, handle_, step, to, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
+    /// Starts a job that removes a step. Cost: as above.
+    /// Calls flgTangleRemoveStep.
+    Result<Job> remove_step(uint32_t step, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgTangleRemoveStep(context_, handle_, step, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
+    /// Starts a job that mutes a step (`muted` nonzero), so that it does nothing, or makes it again (0). Cost: as
+    /// above.
+    /// Calls flgTangleMuteStep.
+    Result<Job> mute_step(uint32_t step, uint32_t muted, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgTangleMuteStep(context_, handle_, step, muted, job, &out_job);
         return detail::made(result, Job(context_, out_job));
     }
 

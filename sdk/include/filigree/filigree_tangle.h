@@ -16,7 +16,9 @@
  *              others.
  * Looks        Two leaves look the same if no visible border may lie between them; visible borders lie where looks
  *              differ.
- * History      Each operator, macro, grouping and join is a step, which can be undone and redone, to the bit.
+ * History      Each operator, macro, grouping and join is a step, which can be undone and redone, to the bit. Steps
+ *              before the last can be changed, muted, moved and removed, and others inserted: what depends on them is
+ *              computed again. Such an edit is undone and redone like a step.
  * Surface      The tangle changes its surface by jobs, in the order they were started. Do not cut a tangle's surface by
  *              other means, and do not make another tangle from it: all further changes to this tangle are then
  *              refused. Fields, tracing, picking and drawing work as on any surface.
@@ -221,12 +223,13 @@ FLG_API FlgResult flgTangleTraceBorders(FlgContext context, FlgTangle tangle, co
 
 /* ---- History ----------------------------------------------------------------------------------------------------- */
 
-/* Starts a job that undoes the last step; fails if there is none. (A failed job makes no step.) Cost: that of what the
- * step changed. */
+/* Starts a job that undoes the last step, or the last edit of the history if that came later; fails if there is
+ * neither. (A failed job makes no step.) Cost: that of what the step changed; of an edit, that of the steps it computed
+ * or put elsewhere, before and after. */
 FLG_API FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job);
 
-/* Starts a job that redoes the last undone step. A new step discards undone steps. Cost: that of what the step
- * changes. */
+/* Starts a job that redoes the last undone step or edit. A new step or edit discards what was undone. Cost: that of
+ * what the step changes. */
 FLG_API FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job);
 
 /* ---- Documents --------------------------------------------------------------------------------------------------- */
@@ -258,6 +261,25 @@ typedef struct FlgTangleSeedPlaces {
 
 FLG_API FlgResult flgTangleSeedPlacesInit(FlgTangleSeedPlaces* places, uint32_t struct_size);
 
+/* What a step does. */
+typedef enum FlgTangleStepState {
+    FLG_TANGLE_STEP_STATE_MADE = 0,  /* what it says */
+    FLG_TANGLE_STEP_STATE_MUTED = 1, /* nothing, by flgTangleMuteStep */
+    FLG_TANGLE_STEP_STATE_LOST = 2,  /* nothing: an edit of an earlier step took away what it needs. It is tried again
+                                        by every edit before it */
+    FLG_TANGLE_STEP_STATE_FORCE_32BIT = 0x7fffffff
+} FlgTangleStepState;
+
+/* A region by how it was made: what it is known by while it is not there. */
+typedef struct FlgTangleRegionName {
+    uint32_t step;      /* that makes it: index in the history. FLG_NO_INDEX: the root, or a step that was removed */
+    uint32_t operation; /* of the step: a macro's operators are counted from 0 */
+    uint32_t part;      /* of the operation */
+    uint32_t parent;    /* the region it is in: index of a name before this one. FLG_NO_INDEX: this is the root */
+    float place[3];     /* a point in it: of several regions, the nearest is meant. Metres */
+    float reach;        /* one whose point is this far away is another; 0: however far. Metres, >= 0 */
+} FlgTangleRegionName;
+
 /* The arguments of a step, and the data needed to repeat it. */
 typedef struct FlgTangleStep {
     uint32_t struct_size;
@@ -278,14 +300,24 @@ typedef struct FlgTangleStep {
     /* Nonzero: the step came from another mesh, so `places` located its seeds and must do so again. */
     uint32_t placed;
     const float* made; /* 3 per region */
+    FlgTangleStepState state; /* default FLG_TANGLE_STEP_STATE_MADE */
+    uint32_t name_count;
+    /* Null, or names of regions: then the step's lists of regions are indices of these, and those it cannot find now
+     * are left out; when ungrouping, the last one is of the group. Steps have names while some of their regions are
+     * not there. */
+    const FlgTangleRegionName* names;
+    /* Why the step is lost, or which of its regions are not there: a sentence, empty if there is nothing to say. Of a
+     * history; ignored where a host describes a step. */
+    const char* why;
 } FlgTangleStep;
 
 FLG_API FlgResult flgTangleStepInit(FlgTangleStep* step, uint32_t struct_size);
 
+
 /* All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h). */
 typedef struct FlgTangleHistory {
     uint32_t struct_size;
-    uint32_t step_count; /* including undone steps */
+    uint32_t step_count; /* including undone steps, up to the first undone edit */
     uint32_t made_count; /* steps not undone */
     uint32_t reserved;
     const FlgTangleStep* const* steps; /* oldest first */
@@ -311,6 +343,52 @@ FLG_API FlgResult flgTangleGetHistory(FlgContext context, FlgTangle tangle, FlgT
 FLG_API FlgResult flgTangleReplay(FlgContext context, FlgTangle tangle, const FlgTangleHistory* history,
                                   const FlgJobOptions* job, FlgJob* out_job);
 
+/* ---- Editing ----------------------------------------------------------------------------------------------------- */
+
+/* These functions change the history before its end. Steps are counted from 0, a macro as one, as in
+ * flgTangleGetHistory; those that are undone cannot be edited, and are discarded. Each starts a job, and is undone by
+ * flgTangleUndo.
+ *
+ * Result       The tangle becomes what flgTangleReplay would make of the edited history, to the bit. Steps before the
+ *              edit are not touched. Later ones are computed again only if what they read was changed: triangles of
+ *              their regions, or around their vertices; the others keep their results. FlgTangleInfo counts those
+ *              computed.
+ * Regions      Identifiers of regions made from the edited step on may change. Later steps follow their regions: by the
+ *              step that made them, its part, the region around them and their place. One all whose regions are gone,
+ *              or that fails, is lost: it stays in the history, does nothing, says why, and is tried again by the next
+ *              edit before it. One that misses some of its regions acts on the others, and gets them back likewise.
+ * Seeds        Points and lines of later steps keep their places, each snapped to the surface; so do the samples of the
+ *              same step. Other samples are drawn anew. Chosen borders are the nearest ones.
+ * Meanwhile    The surface is not readable until the job is published: hosts go on to show what they have. A cancelled
+ *              job stops after the step it is at, and leaves the tangle as it was; so does one that fails.
+ * Cost         Undoing the steps from the edited one on, computing those that changed, and about as much as redoing the
+ *              others. Memory: the steps before the edit are kept until it is discarded. */
+
+/* Starts a job that replaces the arguments of a step. `desc` is read as flgTangleReplay reads a step of a history, so
+ * one from flgTangleGetHistory with other numbers will do; its regions are those before the step. The array is copied.
+ * Points are on the surface as it was then: where that is not known, set `placed` and give positions. A muted step
+ * stays muted. Fails if the step cannot be made. Cost: as above. */
+FLG_API FlgResult flgTangleEditStep(FlgContext context, FlgTangle tangle, uint32_t step, const FlgTangleStep* desc,
+                                    const FlgJobOptions* job, FlgJob* out_job);
+
+/* Likewise for a new step, which gets the index `step`: at most the number of steps that are not undone. Cost: as
+ * above. */
+FLG_API FlgResult flgTangleInsertStep(FlgContext context, FlgTangle tangle, uint32_t step, const FlgTangleStep* desc,
+                                      const FlgJobOptions* job, FlgJob* out_job);
+
+/* Starts a job that moves a step to another index, which it has afterwards. Before the step that makes its regions it
+ * is lost. Cost: as above. */
+FLG_API FlgResult flgTangleMoveStep(FlgContext context, FlgTangle tangle, uint32_t step, uint32_t to,
+                                    const FlgJobOptions* job, FlgJob* out_job);
+
+/* Starts a job that removes a step. Cost: as above. */
+FLG_API FlgResult flgTangleRemoveStep(FlgContext context, FlgTangle tangle, uint32_t step, const FlgJobOptions* job,
+                                      FlgJob* out_job);
+
+/* Starts a job that mutes a step (`muted` nonzero), so that it does nothing, or makes it again (0). Cost: as above. */
+FLG_API FlgResult flgTangleMuteStep(FlgContext context, FlgTangle tangle, uint32_t step, uint32_t muted,
+                                    const FlgJobOptions* job, FlgJob* out_job);
+
 /* ---- What a tangle is like --------------------------------------------------------------------------------------- */
 
 typedef struct FlgTangleInfo {
@@ -318,9 +396,9 @@ typedef struct FlgTangleInfo {
     uint32_t region_count;           /* identifiers are below this */
     uint32_t group_count;            /* likewise */
     uint32_t leaf_count;             /* undivided regions */
-    uint32_t undo_count, redo_count; /* steps that can be undone and redone */
+    uint32_t undo_count, redo_count; /* steps, and edits of the history, that can be undone and redone */
     uint32_t depth;                  /* of the deepest leaf; the root's is 0 */
-    uint32_t reserved;
+    uint32_t computed_count;         /* operators, displacements and joins that the last change computed */
 } FlgTangleInfo;
 
 FLG_API FlgResult flgTangleInfoInit(FlgTangleInfo* info, uint32_t struct_size);

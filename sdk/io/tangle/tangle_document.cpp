@@ -48,8 +48,8 @@ SideFile read_side_file(const JsonValue& document) {
     document.allow({"filigree", "version", "base", "box", "made", "arrays", "steps"});
     if (document.at("filigree").text() != "tangle") document.at("filigree").refuse("must be 'tangle'");
     const uint64_t version = document.at("version").count(any_count);
-    if (version != tangle_document_version) {
-        document.at("version").refuse("is " + to_text(version) + ", only 1 is known");
+    if (version != tangle_document_version && version != edited_document_version) {
+        document.at("version").refuse("is " + to_text(version) + ", only 1 and 2 are known");
     }
     SideFile side;
     const std::optional<JsonValue> arrays = document.find("arrays");
@@ -158,9 +158,10 @@ TangleDocument::TangleDocument(const JsonValue& document, Bytes bytes) {
 }
 
 void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
-    value.allow({"op",       "on",     "from",         "to",        "delta", "count", "groups",  "cycle",
-                 "scaffold", "closed", "perturbation", "frequency", "seed",  "size",  "spacing", "amount",
-                 "bias",     "gain",   "reach",        "group",     "first", "made",  "placed",  "places"});
+    value.allow({"op",      "on",       "from",   "to",           "delta",     "count",   "groups",
+                 "cycle",   "scaffold", "closed", "perturbation", "frequency", "seed",    "size",
+                 "spacing", "amount",   "bias",   "gain",         "reach",     "group",   "first",
+                 "made",    "placed",   "places", "mute",         "lost",      "missing", "names"});
     const JsonValue op = value.at("op");
     Vector<const char*> words(std::begin(operator_words), std::end(operator_words));
     words.insert(words.end(), std::begin(macro_words), std::end(macro_words));
@@ -192,7 +193,35 @@ void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
     }
     step.placed = read_flag(value, "placed");
     read_places(value, arrays, step);
+    read_state(value, step);
     shown_steps_.push_back(&steps_.emplace_back(step));
+}
+
+void TangleDocument::read_state(const JsonValue& value, FlgTangleStep& step) {
+    const auto lost = value.find("lost"), missing = value.find("missing");
+    if (lost || missing) step.why = sentences_.emplace_back((lost ? lost : missing)->text()).c_str();
+    if (lost) step.state = FLG_TANGLE_STEP_STATE_LOST;
+    if (read_flag(value, "mute") != 0) step.state = FLG_TANGLE_STEP_STATE_MUTED;
+    const auto list = value.find("names");
+    if (!list) return;
+    Vector<FlgTangleRegionName>& names = names_.emplace_back();
+    for (size_t i = 0; i < list->size(); ++i) {
+        const JsonValue item = (*list)[i];
+        item.allow({"step", "operation", "part", "in", "place", "reach"});
+        FlgTangleRegionName name{};
+        name.step = read_count(item, "step", FLG_NO_INDEX);
+        name.operation = read_count(item, "operation", 0);
+        name.part = read_count(item, "part", 0);
+        name.parent = read_count(item, "in", FLG_NO_INDEX);
+        if (const auto place = item.find("place")) {
+            if (place->size() != 3) place->refuse("must have three numbers");
+            for (size_t k = 0; k < 3; ++k) name.place[k] = (*place)[k].number();
+        }
+        name.reach = read_number(item, "reach", 0);
+        names.push_back(name);
+    }
+    step.names = names.data();
+    step.name_count = static_cast<uint32_t>(names.size());
 }
 
 const FlgTangleSeeds* TangleDocument::read_seeds(const JsonValue& value, Arrays& arrays) {
@@ -413,6 +442,7 @@ public:
     String step(const FlgTangleStep* given, const String& place);
 
     String arrays;
+    bool has_edits = false;  // it holds what the first version does not know
 
 private:
     // `count` items of `words` words each, at `data`; to_json makes a number of a word.
@@ -466,6 +496,7 @@ private:
     void divide(JsonText& json, const FlgTangleDivideDesc* given, const String& place);
     void macro(JsonText& json, const FlgTangleApplyMacroDesc* given, const String& place);
     void displace(JsonText& json, const FlgTangleDisplaceDesc* given, const String& place);
+    void state(JsonText& json, const FlgTangleStep& step, const String& place);
 };
 
 // What a host wrote into an enum, which may be none of its values (reading that as the enum would be undefined).
@@ -591,6 +622,35 @@ void Writer::displace(JsonText& json, const FlgTangleDisplaceDesc* given, const 
     json.member("reach", number(desc.reach, place + ".reach"));
 }
 
+void Writer::state(JsonText& json, const FlgTangleStep& step, const String& place) {
+    const int32_t state = number_of(step.state);
+    if (state < FLG_TANGLE_STEP_STATE_MADE || state > FLG_TANGLE_STEP_STATE_LOST)
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + ".state", "is %d, which is none of its values", state);
+    const bool says = step.why && step.why[0] != 0;
+    if (state == FLG_TANGLE_STEP_STATE_MUTED) json.flag("mute");
+    if (state == FLG_TANGLE_STEP_STATE_LOST) json.word("lost", says ? step.why : "");
+    if (state == FLG_TANGLE_STEP_STATE_MADE && says) json.word("missing", step.why);
+    JsonText names;
+    for (uint32_t i = 0; i < step.name_count; ++i) {
+        const String where = place + ".names";
+        const FlgTangleRegionName& name = (&need(step.names, where))[i];
+        JsonText item;
+        if (name.parent != FLG_NO_INDEX) {
+            if (name.step != FLG_NO_INDEX) item.count("step", name.step);
+            if (name.operation != 0) item.count("operation", name.operation);
+            item.count("part", name.part);
+            item.count("in", name.parent);
+            JsonText at;
+            for (const float value : name.place) at.item(number(value, where));
+            item.member("place", at.list());
+            if (name.reach != 0) item.member("reach", number(name.reach, where));
+        }
+        names.item(item.object());
+    }
+    if (!names.empty()) json.member("names", names.list());
+    has_edits |= state != FLG_TANGLE_STEP_STATE_MADE || says || step.name_count > 0;
+}
+
 String Writer::step(const FlgTangleStep* given, const String& place) {
     const FlgTangleStep step = read_at(given, place);
     JsonText json;
@@ -619,6 +679,7 @@ String Writer::step(const FlgTangleStep* given, const String& place) {
         all_places.item(places((&need(step.places, where))[i], where));
     }
     if (!all_places.empty()) json.member("places", all_places.list());
+    state(json, step, place);
     return json.object();
 }
 
@@ -655,8 +716,9 @@ TangleText write_tangle(const FlgTangleHistory& history, const String& file_name
         if (steps.size() > max_tangle_json) fail(FLG_ERROR_LIMIT, place, "makes the document too large");
     }
     TangleText text;
-    text.json = "{\n  \"filigree\": \"tangle\",\n  \"version\": " + to_text(tangle_document_version) +
-                ",\n  \"base\": \"" + hex(history.base) + "\",\n  \"box\": " + box_text(history) +
+    text.json = "{\n  \"filigree\": \"tangle\",\n  \"version\": " +
+                to_text(writer.has_edits ? edited_document_version : tangle_document_version) + ",\n  \"base\": \"" +
+                hex(history.base) + "\",\n  \"box\": " + box_text(history) +
                 ",\n  \"made\": " + to_text(history.made_count);
     if (!writer.arrays.empty()) {
         text.side.bytes = writer.arrays.size();

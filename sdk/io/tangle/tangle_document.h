@@ -12,7 +12,8 @@
 
 namespace flg::io {
 
-constexpr uint32_t tangle_document_version = 1;
+// Documents whose steps all are made, without names of regions, have the first version; others the second.
+constexpr uint32_t tangle_document_version = 1, edited_document_version = 2;
 // What the JSON calls the values of FlgTangleOperator, FlgTangleMacro, FlgTangleBorders and FlgTangleGrouping, and
 // other steps.
 inline constexpr const char* operator_words[] = {"contour", "stream", "voronoi", "polyline"};
@@ -67,6 +68,7 @@ private:
     void read_macro(const JsonValue& value, FlgTangleMacro kind, Arrays& arrays, FlgTangleStep& step);
     void read_displace(const JsonValue& value, Arrays& arrays, FlgTangleStep& step);
     void read_places(const JsonValue& value, Arrays& arrays, FlgTangleStep& step);
+    void read_state(const JsonValue& value, FlgTangleStep& step);
     FlgTangleSeedPlaces read_places_of(const JsonValue& value, Arrays& arrays);
 
     FlgTangleHistory history_{};
@@ -85,6 +87,8 @@ private:
     Deque<Vector<uint32_t>> numbers_;
     Deque<Vector<uint8_t>> flags_;
     Deque<Vector<float>> floats_;
+    Deque<Vector<FlgTangleRegionName>> names_;
+    Deque<String> sentences_;
 };
 
 }  // namespace flg::io

@@ -279,6 +279,7 @@ void EdgeScale::remove(float length) {
 }
 
 float EdgeScale::mean() const {
+    if (fixed_mean_ > 0) return fixed_mean_;
     const float mean = count_ == 0 ? 0.0f : std::bit_cast<float>(static_cast<uint32_t>(sum_ / count_));
     return mean > 0 ? mean : 1.0f;
 }

@@ -66,11 +66,15 @@ public:
     float mean() const;
     // At least the longest, metres.
     float longest() const { return longest_; }
+    // From now on the mean is this, above 0. Orders of visits follow it, so distances in one place change in their last
+    // digits where edges elsewhere do: where they must not, it is fixed.
+    void fix_mean(float metres) { fixed_mean_ = metres; }
 
 private:
     uint64_t sum_ = 0;
     uint64_t count_ = 0;
     float longest_ = 0;
+    float fixed_mean_ = 0;  // 0: it is not
 };
 
 // 144 bytes a vertex, and 128 for every seven neighbours beyond eight.

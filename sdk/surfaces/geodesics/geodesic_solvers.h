@@ -83,6 +83,7 @@ struct GeodesicSolvers {
     std::optional<GeodesicBlocks> blocks;
     // Whether they are there, for any thread: after they were made, a cut in which memory runs out drops them.
     std::atomic<bool> has_blocks{false};
+    float fixed_edge = 0;  // metres: the blocks' mean edge, as EdgeScale::fix_mean has it; 0: their own
     SolverPool pool;
 };
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "runtime/each.h"
 #include "surfaces/mesh/marks.h"
 
 namespace flg {
@@ -18,6 +19,21 @@ void MeshEdit::set_value(MeshColumns& columns, uint32_t column, uint32_t vertex,
     float& word = columns[column].values[vertex];
     if (vertex < before_.vertices) words_.push_back({array_columns + column, vertex, std::bit_cast<uint32_t>(word)});
     word = value;
+}
+
+void MeshEdit::set_word(Mesh& mesh, MeshColumns& columns, uint32_t array, uint32_t index, uint32_t value) {
+    std::byte* data = nullptr;
+    switch (array) {
+        case array_positions: data = reinterpret_cast<std::byte*>(mesh.positions.data()); break;
+        case array_corners: data = reinterpret_cast<std::byte*>(mesh.corner_of_vertex.data()); break;
+        case array_triangles: data = reinterpret_cast<std::byte*>(mesh.triangles.data()); break;
+        case array_neighbours: data = reinterpret_cast<std::byte*>(mesh.neighbours.data()); break;
+        default: data = reinterpret_cast<std::byte*>(columns[array - array_columns].values.data());
+    }
+    uint32_t old;
+    std::memcpy(&old, data + size_t{index} * sizeof old, sizeof old);
+    words_.push_back({array, index, old});
+    std::memcpy(data + size_t{index} * sizeof value, &value, sizeof value);
 }
 
 // ---- Taken back and made again
@@ -105,6 +121,30 @@ bool MeshEditReplay::run(uint32_t count) {
     resize_mesh(mesh_, columns_, counts.vertices, counts.triangles);
     if (!undo_) edit_.added() = {};
     return true;
+}
+
+// ---- Labels
+
+Task<void> forget_passing_labels(Pace& pace, const Mesh& mesh, size_t count, MeshEdit& edit) {
+    std::pmr::deque<MeshEdit::LabelRun> runs(edit.labels().get_allocator());
+    Slice slice(Cost::some_ns);
+    for (size_t i = 0; i < count; ++i) {
+        const MeshEdit::LabelRun passing = edit.labels()[i];
+        for (Portion part(slice, passing.first, passing.first + passing.count); part.next();) {
+            for (uint32_t t = part.begin; t < part.end; ++t) {
+                const uint32_t label = mesh.regions[t];
+                if (!runs.empty() && runs.back().first + runs.back().count == t && runs.back().old == passing.old &&
+                    runs.back().label == label)
+                    ++runs.back().count;
+                else
+                    runs.push_back({t, 1, passing.old, label});
+            }
+            if (part.is_over()) co_await pace;
+        }
+    }
+    edit.labels().swap(runs);
+    for (; !runs.empty(); runs.pop_back())
+        if (slice.is_over()) co_await pace;
 }
 
 // ---- Touched vertices

@@ -60,6 +60,8 @@ public:
     }
     // Of a column of one component.
     void set_value(MeshColumns& columns, uint32_t column, uint32_t vertex, float value);
+    // Any word of the arrays but labels, by its index in them.
+    void set_word(Mesh& mesh, MeshColumns& columns, uint32_t array, uint32_t index, uint32_t value);
     // Triangles in rising order make long runs.
     void set_region(Mesh& mesh, uint32_t triangle, uint32_t label) {
         uint32_t& region = mesh.regions[triangle];
@@ -82,6 +84,7 @@ public:
     };
     std::pmr::deque<Word>& words() { return words_; }
     const std::pmr::deque<Word>& words() const { return words_; }
+    std::pmr::deque<LabelRun>& labels() { return labels_; }
     const std::pmr::deque<LabelRun>& labels() const { return labels_; }
     // What the cut had added, one array behind the other; empty while the cut is in the mesh.
     Buffer<std::byte>& added() { return added_; }
@@ -152,6 +155,10 @@ private:
     size_t within_ = 0;                            // of the run: triangles; of the array: bytes
     size_t moved_ = 0;                             // bytes of the arrays before
 };
+
+// Where all triangles of the first `count` runs of labels have got others since: what they have now takes the place of
+// those. Cost: some ns a triangle of these runs.
+Task<void> forget_passing_labels(Pace& pace, const Mesh& mesh, size_t count, MeshEdit& edit);
 
 // Vertices that an edit touched, for what is kept beside the mesh and must follow it (geodesic blocks): those of
 // changed triangles, moved corners among the changes. Only such as were there before; added ones are known by their

@@ -16,7 +16,9 @@
 //              others.
 // Looks        Two leaves look the same if no visible border may lie between them; visible borders lie where looks
 //              differ.
-// History      Each operator, macro, grouping and join is a step, which can be undone and redone, to the bit.
+// History      Each operator, macro, grouping and join is a step, which can be undone and redone, to the bit. Steps
+//              before the last can be changed, muted, moved and removed, and others inserted: what depends on them is
+//              computed again. Such an edit is undone and redone like a step.
 // Surface      The tangle changes its surface by jobs, in the order they were started. Do not cut a tangle's surface by
 //              other means, and do not make another tangle from it: all further changes to this tangle are then
 //              refused. Fields, tracing, picking and drawing work as on any surface.
@@ -118,16 +120,17 @@ namespace Filigree
             FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
         /// <summary>
-        /// Starts a job that undoes the last step; fails if there is none. (A failed job makes no step.) Cost: that of
-        /// what the step changed.
+        /// Starts a job that undoes the last step, or the last edit of the history if that came later; fails if there
+        /// is neither. (A failed job makes no step.) Cost: that of what the step changed; of an edit, that of the steps
+        /// it computed or put elsewhere, before and after.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleUndo(
             FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgJob* out_job);
 
         /// <summary>
-        /// Starts a job that redoes the last undone step. A new step discards undone steps. Cost: that of what the step
-        /// changes.
+        /// Starts a job that redoes the last undone step or edit. A new step or edit discards what was undone. Cost:
+        /// that of what the step changes.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleRedo(
@@ -164,6 +167,45 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleReplay(
             FlgContext context, FlgTangle tangle, FlgTangleHistory* history, FlgJobOptions* job, FlgJob* out_job);
+
+        /// <summary>
+        /// Starts a job that replaces the arguments of a step. `desc` is read as flgTangleReplay reads a step of a
+        /// history, so one from flgTangleGetHistory with other numbers will do; its regions are those before the step.
+        /// The array is copied. Points are on the surface as it was then: where that is not known, set `placed` and
+        /// give positions. A muted step stays muted. Fails if the step cannot be made. Cost: as above.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleEditStep(
+            FlgContext context, FlgTangle tangle, uint step, FlgTangleStep* desc, FlgJobOptions* job, FlgJob* out_job);
+
+        /// <summary>
+        /// Likewise for a new step, which gets the index `step`: at most the number of steps that are not undone. Cost:
+        /// as above.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleInsertStep(
+            FlgContext context, FlgTangle tangle, uint step, FlgTangleStep* desc, FlgJobOptions* job, FlgJob* out_job);
+
+        /// <summary>
+        /// Starts a job that moves a step to another index, which it has afterwards. Before the step that makes its
+        /// regions it is lost. Cost: as above.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleMoveStep(
+            FlgContext context, FlgTangle tangle, uint step, uint to, FlgJobOptions* job, FlgJob* out_job);
+
+        /// <summary>Starts a job that removes a step. Cost: as above.</summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleRemoveStep(
+            FlgContext context, FlgTangle tangle, uint step, FlgJobOptions* job, FlgJob* out_job);
+
+        /// <summary>
+        /// Starts a job that mutes a step (`muted` nonzero), so that it does nothing, or makes it again (0). Cost: as
+        /// above.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleMuteStep(
+            FlgContext context, FlgTangle tangle, uint step, uint muted, FlgJobOptions* job, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleInfoInit(FlgTangleInfo* info, uint struct_size);

@@ -168,6 +168,23 @@ namespace Filigree
         public float* curve_points;
     }
 
+    /// <summary>A region by how it was made: what it is known by while it is not there.</summary>
+    public unsafe partial struct FlgTangleRegionName
+    {
+        /// <summary>that makes it: index in the history. FLG_NO_INDEX: the root, or a step that was removed</summary>
+        public uint step;
+        /// <summary>of the step: a macro's operators are counted from 0</summary>
+        public uint operation;
+        /// <summary>of the operation</summary>
+        public uint part;
+        /// <summary>the region it is in: index of a name before this one. FLG_NO_INDEX: this is the root</summary>
+        public uint parent;
+        /// <summary>a point in it: of several regions, the nearest is meant. Metres</summary>
+        public fixed float place[3];
+        /// <summary>one whose point is this far away is another; 0: however far. Metres, &gt;= 0</summary>
+        public float reach;
+    }
+
     /// <summary>The arguments of a step, and the data needed to repeat it.</summary>
     public unsafe partial struct FlgTangleStep
     {
@@ -199,6 +216,20 @@ namespace Filigree
         public uint placed;
         /// <summary>3 per region</summary>
         public float* made;
+        /// <summary>default FlgTangleStepState.Made</summary>
+        public FlgTangleStepState state;
+        public uint name_count;
+        /// <summary>
+        /// Null, or names of regions: then the step's lists of regions are indices of these, and those it cannot find
+        /// now are left out; when ungrouping, the last one is of the group. Steps have names while some of their
+        /// regions are not there.
+        /// </summary>
+        public FlgTangleRegionName* names;
+        /// <summary>
+        /// Why the step is lost, or which of its regions are not there: a sentence, empty if there is nothing to say.
+        /// Of a history; ignored where a host describes a step.
+        /// </summary>
+        public byte* why;
     }
 
     /// <summary>
@@ -207,7 +238,7 @@ namespace Filigree
     public unsafe partial struct FlgTangleHistory
     {
         public uint struct_size;
-        /// <summary>including undone steps</summary>
+        /// <summary>including undone steps, up to the first undone edit</summary>
         public uint step_count;
         /// <summary>steps not undone</summary>
         public uint made_count;
@@ -237,13 +268,14 @@ namespace Filigree
         public uint group_count;
         /// <summary>undivided regions</summary>
         public uint leaf_count;
-        /// <summary>steps that can be undone and redone</summary>
+        /// <summary>steps, and edits of the history, that can be undone and redone</summary>
         public uint undo_count;
-        /// <summary>steps that can be undone and redone</summary>
+        /// <summary>steps, and edits of the history, that can be undone and redone</summary>
         public uint redo_count;
         /// <summary>of the deepest leaf; the root's is 0</summary>
         public uint depth;
-        public uint reserved;
+        /// <summary>operators, displacements and joins that the last change computed</summary>
+        public uint computed_count;
     }
 
     public unsafe partial struct FlgTangleRegion

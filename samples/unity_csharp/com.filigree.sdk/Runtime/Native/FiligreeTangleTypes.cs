@@ -95,6 +95,20 @@ namespace Filigree
         Join = 5,
     }
 
+    /// <summary>What a step does.</summary>
+    public enum FlgTangleStepState
+    {
+        /// <summary>FLG_TANGLE_STEP_STATE_MADE: what it says</summary>
+        Made = 0,
+        /// <summary>FLG_TANGLE_STEP_STATE_MUTED: nothing, by flgTangleMuteStep</summary>
+        Muted = 1,
+        /// <summary>
+        /// FLG_TANGLE_STEP_STATE_LOST: nothing: an edit of an earlier step took away what it needs. It is tried again
+        /// by every edit before it
+        /// </summary>
+        Lost = 2,
+    }
+
     /// <summary>A surface, the tree of its regions, and the steps that made them.</summary>
     public partial struct FlgTangle : IEquatable<FlgTangle>
     {
