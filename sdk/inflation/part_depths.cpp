@@ -20,7 +20,7 @@ constexpr double no_rise = 1e-9;        // of the drawing's size
 constexpr double least_reach = 0.3;     // of `hold`: no part rises faster
 constexpr double fork = 2;              // of `hold`: up to there an overlap that begins where parts hang is a fork
 constexpr double broad = 3;             // of a part's radius: the same with what bears it, from `hold` on
-constexpr double half_as_broad = 1.5;   // the same where their depths differ
+constexpr double half_as_broad = 1.5;   // the same where they lie in one plane, and depths differ
 constexpr double gentle = 0.4, steepest = 1.5;  // a rise, by its reach
 constexpr double within = 0.6;                  // of the height of what a part hangs on, that it may hang off the joint
 constexpr uint32_t sweeps = 4;                  // over a raster's values outside
@@ -412,7 +412,8 @@ private:
         if (goes_on < 0 || pair.bones_cross) return true;
         if (bears_one(pair)) {
             const uint32_t limb = pair.parts[pair.before[0] == bears_other ? 1 : 0];
-            const bool is_asked = drawn_.hung[pair.parts[0]].depth != drawn_.hung[pair.parts[1]].depth;
+            const bool is_asked = drawn_.hung[pair.parts[0]].depth != drawn_.hung[pair.parts[1]].depth &&
+                                  plane(pair.parts[0]) == plane(pair.parts[1]);
             return goes_on > (is_asked ? half_as_broad : broad) * shapes_[limb].radius();
         }
         return total(pair, 0, met.ways[0]) > fork * pair.hold[0] && total(pair, 1, met.ways[1]) > fork * pair.hold[1];
@@ -430,8 +431,11 @@ private:
     std::tuple<double, double, double> rank(uint32_t part) const {
         const HungPart& hung = drawn_.hung[part];
         const double turned = hung.is_turned ? -1 : 1;
-        const double plane = front_.dot(shapes_[part].low() + shapes_[part].high()) / 2;
-        return {turned * hung.depth, std::round(plane / (same_depth * size_)), turned * part};
+        return {turned * hung.depth, plane(part), turned * part};
+    }
+    // Rounded: planes that are nearer to each other are one.
+    double plane(uint32_t part) const {
+        return std::round(front_.dot(shapes_[part].low() + shapes_[part].high()) / 2 / (same_depth * size_));
     }
 
     // What bears a part stays where it is for that one.
