@@ -15,6 +15,8 @@ constexpr uint32_t most_branches = 8;     // at a junction: a hub of more is non
 constexpr double parallel = 0.766;        // cosine of the angle between limbs beyond
 constexpr double step_length = 1.0 / 16;  // of the trunk's width at the junction
 constexpr int halvings = 40;              // of the last step
+constexpr double as_wide = 1.6;           // by the limbs side by side: what else the trunk may be
+constexpr double least_trunk = 0.6;       // of what merges junctions
 constexpr double least_limb = 0.5;        // what is left of a branch beyond the trunk, of half the trunk's width
 constexpr double near_axis = 1e-9;        // of a part's length
 
@@ -104,7 +106,7 @@ private:
             co_await pace_;
         }
         std::optional<Pair> best;
-        double best_along = 0, farthest = merge_;
+        double best_along = 0, farthest = least_trunk * merge_;
         for (size_t b = 1; b < ways.size(); ++b)
             for (size_t a = 0; a < b; ++a) {
                 const Pair pair{&ways[a], &ways[b]};
@@ -115,7 +117,8 @@ private:
             }
         if (!best) co_return;
         const bool is_inside = co_await stays_inside(junction, *best, best_along);
-        if (is_inside) make_trunk(junction, *best, best_along);
+        const bool is_all = co_await becomes_both(*best, best_along);
+        if (is_inside && is_all) make_trunk(junction, *best, best_along);
     }
 
     // How far along both.
@@ -165,6 +168,18 @@ private:
         co_return first&& second;
     }
 
+    // Whether the trunk is as wide where it ends as both limbs are: a palm is wider than two of its fingers.
+    Task<bool> becomes_both(Pair pair, double along) const {
+        const double beyond = along + widening_ * pair.radius(along);
+        const double apart = (pair.first->at(along).at - pair.second->at(along).at).norm();
+        const double wide = as_wide * (apart / 2 + widening_ * pair.radius(beyond));
+        const Vec3 middle = pair.middle(along),
+                   across = middle + wide * (pair.first->at(along).at - middle).normalized();
+        const bool first = co_await lies_inside(middle, across);
+        const bool second = co_await lies_inside(middle, 2 * middle - across);
+        co_return !first && !second;
+    }
+
     Task<bool> lies_inside(Vec3 from, Vec3 to) const {
         const Contour& outline = part_.part->outline;
         const Point2 a = part_.drawn(from), b = part_.drawn(to);
@@ -194,6 +209,8 @@ private:
             graph_.add_bone(end, next, graph_.joints()[junction].part);
             end = next;
         }
+        // Not to be merged with the junction again.
+        graph_.joints()[end].hold = BoneGraph::Hold::pinned;
         for (const uint32_t limb : limbs) graph_.hang_on(graph_.bone_between(junction, limb), junction, end);
     }
 

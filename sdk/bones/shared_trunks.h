@@ -4,9 +4,10 @@
 // expect one spine there, and a pelvis that the legs hang on.
 //
 // At a junction, two branches that run side by side become one trunk while they are nearer to each other than half of
-// the trunk's width: its joints lie in the middle between them. That counts if the trunk becomes longer than what
-// merges junctions, and the limbs beyond go about the same way, within 40 degrees: arms of a star do not. On the mirror
-// axis of a part only what becomes a trunk on the axis does.
+// the trunk's width: its joints lie in the middle between them. That counts if the trunk becomes longer than 0.6 of
+// what merges junctions, is about as wide at its end as both limbs, and these go about the same way, within 40 degrees:
+// two fingers of a hand, or arms of a star, do not. On the mirror axis of a part only what becomes a trunk on the axis
+// does.
 //
 // This is none of the paper's (Ma, Wang, Li, Zhang 2021), and only done where `detail` is not 0.
 #pragma once

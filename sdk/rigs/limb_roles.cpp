@@ -21,9 +21,9 @@ constexpr double beside = 0.01;        // of what lies to a side
 constexpr double foot_size = 0.1;      // toes branch apart not farther from their ends
 constexpr double mirror_error = 0.15;  // between a tip and the mirror image of another
 constexpr double shortest_arm = 0.15, nearest_arm = 0.1, shortest_head = 0.06, shortest_tail = 0.12;
-constexpr double arm_width = 0.08;     // distance of hands from the middle
+constexpr double arm_width = 0.08;     // an arm's distance from the middle, where it is farthest
 constexpr double straight_on = 0.02;   // to the side, from joint to joint of a head
-constexpr double arm_begins = 0.05;    // share of the hand's distance from the middle
+constexpr double arm_begins = 0.05;    // share of that
 constexpr double middle_width = 0.12;  // of limbs in the middle, on average
 // What hangs falls by this share of its length; what is level, by no more.
 constexpr double hanging = 0.5;
@@ -318,9 +318,9 @@ private:
     void find_arms() {
         double best = 0;
         for (const uint32_t l : tips_) {
-            if (is_taken_[l] || lateral_[l] < arm_width * size_) continue;
+            if (is_taken_[l] || lateral_[elbow_of(l)] < arm_width * size_) continue;
             for (const uint32_t r : tips_) {
-                if (is_taken_[r] || lateral_[r] > -arm_width * size_ || !are_mirrored(l, r)) continue;
+                if (is_taken_[r] || lateral_[elbow_of(r)] > -arm_width * size_ || !are_mirrored(l, r)) continue;
                 const Meeting meeting = meet(l, r);
                 if (meeting.shorter < shortest_arm * size_) continue;
                 if (leg_count_ > 2 && meeting.above_trunk > nearest_arm * size_) continue;
@@ -335,6 +335,14 @@ private:
         if (chest_ == nothing) return;
         hip_is_chest_ = is_trunk_[chest_] && (feet_[chest_] >= 2 || chest_ == root_);
         mark_trunk(chest_);
+    }
+
+    // Where an arm is farthest from the middle: hands may lie on the hips, or across the chest.
+    uint32_t elbow_of(uint32_t hand) const {
+        uint32_t elbow = hand;
+        for (uint32_t j = hand; j != nothing && !is_trunk_[j]; j = skeleton_.parents[j])
+            if (std::abs(lateral_[j]) > std::abs(lateral_[elbow])) elbow = j;
+        return elbow;
     }
 
     bool is_on_arm(uint32_t j) const {
@@ -405,15 +413,16 @@ private:
     void name_arms() {
         if (chest_ == nothing) return;
         for (const uint32_t hand : hands_) {
+            const uint32_t elbow = elbow_of(hand);
             // What is not on the arm's side yet leads to it.
-            for (uint32_t j = skeleton_.parents[hand]; !is_trunk_[j]; j = skeleton_.parents[j])
-                if (lateral_[j] * side_of(hand) < arm_begins * std::abs(lateral_[hand])) mark_trunk(j);
+            for (uint32_t j = skeleton_.parents[elbow]; !is_trunk_[j]; j = skeleton_.parents[j])
+                if (lateral_[j] * side_of(elbow) < arm_begins * std::abs(lateral_[elbow])) mark_trunk(j);
             uint32_t next = nothing;
             for (uint32_t j = hand; !is_trunk_[j]; j = skeleton_.parents[j]) {
                 joints_[j].next = j == hand ? joints_[j].next : next;
                 next = j;
             }
-            name_limb(FLG_LIMB_ARM, next, side_of(hand), 0,
+            name_limb(FLG_LIMB_ARM, next, side_of(elbow), 0,
                       [&](uint32_t j) { return j == hand ? nothing : joints_[j].next; });
         }
     }

@@ -40,6 +40,20 @@ TEST(LimbRoles, AHumanFromTheFront) {
     EXPECT_EQ(rig.joint("arm.R_2").place, FLG_LIMB_PLACE_END);
 }
 
+// Hands on the hips, and hands crossed over the chest.
+TEST(LimbRoles, ArmsThatBendBackToTheMiddle) {
+    for (const double hand : {0.05, -0.15}) {
+        Figure bent = human();
+        for (const std::string side : {".L", ".R"}) {
+            const double way = bent.at[bent.find("arm" + side + "_0")].x() > 0 ? 1 : -1;
+            bent.at[bent.find("arm" + side + "_1")] = {0.45 * way, 1.2, 0.05};
+            bent.at[bent.find("arm" + side + "_2")] = {(hand + 0.1) * way, 1.1, 0.2};
+            bent.at[bent.find("arm" + side + "_3")] = {hand * way, 1.1, 0.2};
+        }
+        expect_human(FigureRig(bent));
+    }
+}
+
 TEST(LimbRoles, NeitherPlaceNorSizeNorTheOrderOfChildrenMatters) {
     Figure moved = human();
     for (Vec3& place : moved.at) place = 1e-3 * place + Vec3(7, -3, 2);
