@@ -11,7 +11,7 @@ namespace flg {
 
 class TracedCurves final : public Product {
 public:
-    TracedCurves(std::shared_ptr<Surface> of_surface, Memory* memory)
+    TracedCurves(const std::shared_ptr<Surface>& of_surface, Memory* memory)
         : TracedCurves(of_surface, of_surface->order.revision(), memory) {}
     // For jobs, which must not ask for the revision.
     TracedCurves(std::shared_ptr<Surface> of_surface, uint32_t of_revision, Memory* memory)
