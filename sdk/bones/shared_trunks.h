@@ -18,7 +18,9 @@
 
 namespace flg {
 
-// `graph` is that of one part. Takes about 50 ns a step along two branches, a sixteenth of their trunk's width.
+// `graph` is that of one part, refined; `merge` is the length that merged its junctions. The end of a trunk is pinned,
+// so that it is not merged with its junction later. Takes about 50 ns a step along two branches, a sixteenth of their
+// trunk's width.
 Task<void> share_trunks(Pace& pace, const ModelPart& part, double merge, BoneGraph& graph);
 
 // How many bones a stretch becomes, by its length over its width.

@@ -5,8 +5,8 @@
 // Two parts cross where their bodies overlap away from where they hang on the part that bears both, or on each other.
 // Up to `hold` from there a limb is one with what it hangs on; distances are measured within the contour
 // (part_front.h). Beyond, an overlap that goes on from there is still a fork or a broad attachment and no crossing: up
-// to some more of `hold`, unless the bones cross. If one hangs on the other in one plane and their
-// depths differ, half as far.
+// to some more of `hold`, unless the bones cross. If one hangs on the other in one plane and their depths
+// differ, half as far.
 //
 // 1. Order. The part with the larger depth is in front; else the one whose plane is; else the one drawn later. Front is
 //    where the normals of the first root point; the image of a part in a mirror across that faces the other way.

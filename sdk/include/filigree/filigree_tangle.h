@@ -313,7 +313,6 @@ typedef struct FlgTangleStep {
 
 FLG_API FlgResult flgTangleStepInit(FlgTangleStep* step, uint32_t struct_size);
 
-
 /* All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h). */
 typedef struct FlgTangleHistory {
     uint32_t struct_size;
