@@ -120,7 +120,7 @@ TEST(StudioWindow, DoesAllTasksInASmallWindow) {
 }
 
 TEST(StudioWindow, DoesAllTasksAtTwiceTheScale) {
-    does_all_tasks(2560, 1600, "1280x800", "2");
+    does_all_tasks(1800, 1200, "900x600", "2");
 }
 
 // What was made by different frames' arithmetic on the same places.
