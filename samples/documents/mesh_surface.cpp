@@ -44,13 +44,15 @@ void describe(const MeshFile& file, const FlgSurfaceReport& made, Report& report
 
 }  // namespace
 
-MeshSurface::MeshSurface(Session& session, const std::string& file, float weld_distance, Report& report)
+MeshSurface::MeshSurface(Session& session, const std::string& file, float weld_distance, Report& report,
+                         bool with_provenance)
     : context_(session.context()), file_(file) {
     for (uint32_t i = 0; i < file_.info().warning_count; ++i) report.warn(file + ": " + file_.info().warnings[i]);
     FlgSurfaceDesc desc;
     flgSurfaceDescInit(&desc, sizeof desc);
     desc.mesh = &file_.view();
     desc.weld_distance = weld_distance;
+    desc.provenance = with_provenance;
     FlgJob job = {};
     check(flgSurfaceCreate(context_, &desc, &surface_, &job), file);
     session.finish({{{job, file}}}, report);
@@ -61,6 +63,13 @@ MeshSurface::MeshSurface(Session& session, const std::string& file, float weld_d
 
 FlgSurfaceView MeshSurface::view() const {
     return view_of(context_, surface_);
+}
+
+FlgSurfaceProvenanceView MeshSurface::provenance() const {
+    FlgSurfaceProvenanceView view;
+    flgSurfaceProvenanceViewInit(&view, sizeof view);
+    check(flgSurfaceGetProvenance(context_, surface_, &view), name());
+    return view;
 }
 
 std::string MeshSurface::defects() const {
@@ -103,6 +112,21 @@ void write_mesh(const std::string& path, const FlgMeshView& mesh, std::span<cons
     desc.split_regions = mesh.regions != nullptr;
     desc.materials = materials.data();
     desc.material_count = static_cast<uint32_t>(materials.size());
+    if (flgMeshFileWrite(path.c_str(), &mesh, &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
+}
+
+void write_asset(const std::string& path, const MeshSurface& surface, const std::vector<uint32_t>& labels,
+                 std::span<const FlgMeshMaterial> materials) {
+    say_step("writing " + path);
+    FlgMeshView mesh = *surface.view().mesh;
+    mesh.regions = labels.data();
+    const FlgSurfaceProvenanceView provenance = surface.provenance();
+    FlgMeshFileWriteDesc desc;
+    flgMeshFileWriteDescInit(&desc, sizeof desc);
+    desc.materials = materials.data();
+    desc.material_count = static_cast<uint32_t>(materials.size());
+    desc.asset = surface.name().c_str();
+    desc.provenance = &provenance;
     if (flgMeshFileWrite(path.c_str(), &mesh, &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 

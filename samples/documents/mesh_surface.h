@@ -11,8 +11,10 @@ namespace flg::cli {
 class MeshSurface {
 public:
     // Reads the file and makes its surface, which lives as long as the session's context. Its sizes and repairs go into
-    // the report's counts and quality. Throws InputError.
-    MeshSurface(Session& session, const std::string& file, float weld_distance, Report& report);
+    // the report's counts and quality. `with_provenance`: it can be written into the asset that the file is. Throws
+    // InputError.
+    MeshSurface(Session& session, const std::string& file, float weld_distance, Report& report,
+                bool with_provenance = false);
 
     const std::string& name() const { return file_.name(); }
     const MeshFile& file() const { return file_; }
@@ -21,6 +23,7 @@ public:
     const FlgSurfaceReport& report() const { return report_; }
     // Its arrays, until the next change.
     FlgSurfaceView view() const;
+    FlgSurfaceProvenanceView provenance() const;
     // What was wrong with the file, as `flipped triangles 2, ...`; empty: nothing.
     std::string defects() const;
     // Says that the surface isn't quite the file's, if so.
@@ -44,6 +47,11 @@ enum class Regions { kept, needed };
 // Refuses files that meshes, with regions if these are needed, aren't written to, before any work is done. Throws
 // UsageError, InputError.
 void require_mesh_output(const std::string& path, Regions regions);
+
+// Writes the .gltf or .glb file of a surface, made with its provenance, with the surface's triangles in place of its own;
+// by `labels` with these materials, with the asset's from their number on. Throws InputError.
+void write_asset(const std::string& path, const MeshSurface& surface, const std::vector<uint32_t>& labels,
+                 std::span<const FlgMeshMaterial> materials);
 
 // Writes a mesh by its extension; .glb with these materials, by region. Throws InputError.
 void write_mesh(const std::string& path, const FlgMeshView& mesh, std::span<const FlgMeshMaterial> materials = {});

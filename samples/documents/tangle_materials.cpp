@@ -27,13 +27,14 @@ FlgMeshMaterial read_look(const JsonPlace& entry, const FlgMeshMaterial& otherwi
 
 }  // namespace
 
-std::vector<ScriptMaterial> read_materials(const JsonPlace& list, const Selection& select) {
+std::vector<ScriptMaterial> read_materials(const JsonPlace& list, bool has_own, const Selection& select) {
     FlgMeshMaterial usual = flgMeshMaterialDefaults();
     std::copy_n(kUsualColor, 3, usual.color);
     usual.roughness = kUsualRoughness;
-    std::vector<ScriptMaterial> materials = {{.is_default = true, .regions = {}, .name = "default", .look = usual}};
+    std::vector<ScriptMaterial> materials = {
+        {.is_default = true, .is_kept = has_own, .regions = {}, .name = "default", .look = usual}};
     for (const JsonPlace& entry : list.items()) {
-        entry.allow({"on", "name", "color", "metallic", "roughness", "border"});
+        entry.allow({"on", "name", "keep", "color", "metallic", "roughness", "border"});
         const JsonPlace on = entry.at("on");
         const bool is_default = on.is_string() && on.text() == "default";
         if (is_default && materials.size() > 1) on.fail("`default` must come first");
@@ -43,6 +44,13 @@ std::vector<ScriptMaterial> read_materials(const JsonPlace& list, const Selectio
         if (!is_default) material.regions = select(on);
         material.name = on.is_string() ? on.text() : "material " + std::to_string(materials.size());
         if (const auto name = entry.find("name")) material.name = name->text();
+        if (const auto keep = entry.find("keep"); keep && keep->flag()) {
+            if (!has_own)
+                keep->fail("the mesh is no .gltf or .glb file that is written as .glb: it has no materials to keep");
+            material.is_kept = true;
+            material.look = usual;
+            continue;
+        }
         // Border lines are those of the default where an entry has none.
         FlgMeshMaterial otherwise = usual;
         otherwise.border_width_px = materials.front().look.border_width_px;
@@ -55,11 +63,13 @@ std::vector<ScriptMaterial> read_materials(const JsonPlace& list, const Selectio
 TangleMaterials spread_materials(std::vector<ScriptMaterial> entries, const std::vector<FlgTangleRegion>& regions) {
     TangleMaterials materials;
     std::vector<std::optional<uint32_t>> painted(regions.size());
+    std::vector<bool> kept;
     for (uint32_t i = 0; i < entries.size(); ++i) {
         for (uint32_t region : entries[i].regions) {
             while (regions[region].joined_into != FLG_NO_INDEX) region = regions[region].joined_into;
             painted[region] = i;
         }
+        kept.push_back(entries[i].is_kept);
         materials.names.push_back(std::move(entries[i].name));
     }
     for (uint32_t i = 0; i < entries.size(); ++i) {
@@ -69,7 +79,8 @@ TangleMaterials spread_materials(std::vector<ScriptMaterial> entries, const std:
     for (uint32_t r = 0; r < regions.size(); ++r) {
         uint32_t at = r;
         while (at != 0 && (!painted[at] || regions[at].scaffold != 0)) at = regions[at].parent;
-        materials.of_region.push_back(painted[at].value_or(0));
+        const uint32_t entry = painted[at].value_or(0);
+        materials.of_region.push_back(kept[entry] ? FLG_NO_INDEX : entry);
     }
     return materials;
 }

@@ -98,7 +98,7 @@ void TangleScript::finish(FlgJob job, const JsonPlace& subject) {
     session_.finish({{{job, subject.path()}}}, report_);
 }
 
-void TangleScript::run(const nlohmann::json& script, const std::string& name) {
+void TangleScript::run(const nlohmann::json& script, const std::string& name, bool has_own_materials) {
     const JsonPlace whole(script, name + ": script");
     whole.allow({"unit", "operations", "materials"});
     if (const auto unit = whole.find("unit"); unit && unit->word({"metres", "size"}) == 1) {
@@ -108,11 +108,11 @@ void TangleScript::run(const nlohmann::json& script, const std::string& name) {
     }
     folder_ = std::filesystem::path(name).parent_path();
     for (const JsonPlace& operation : whole.at("operations").items()) run_operation(operation);
-    if (const auto materials = whole.find("materials")) take_materials(*materials);
+    if (const auto materials = whole.find("materials")) take_materials(*materials, has_own_materials);
 }
 
-void TangleScript::take_materials(const JsonPlace& list) {
-    std::vector<ScriptMaterial> entries = read_materials(list, [this](const JsonPlace& on) {
+void TangleScript::take_materials(const JsonPlace& list, bool has_own) {
+    std::vector<ScriptMaterial> entries = read_materials(list, has_own, [this](const JsonPlace& on) {
         const std::vector<uint32_t> regions = select(on);
         if (regions.empty()) report_.warn(on.path() + ": selects no region");
         return regions;

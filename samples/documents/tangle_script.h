@@ -22,8 +22,9 @@ public:
     // Makes the tangle of the surface. Throws InputError, as does all below.
     TangleScript(Session& session, const MeshSurface& surface, Report& report);
 
-    // Runs all operations of a script, a JSON value of the file `name`.
-    void run(const nlohmann::json& script, const std::string& name);
+    // Runs all operations of a script, a JSON value of the file `name`. `has_own_materials`: of the mesh, kept where the
+    // script gives none.
+    void run(const nlohmann::json& script, const std::string& name, bool has_own_materials);
 
     FlgTangle tangle() const { return tangle_; }
     FlgTangleInfo info() const;
@@ -57,7 +58,7 @@ private:
     std::vector<uint32_t> select_by_name(const JsonPlace& place) const;
     std::vector<uint32_t> select_inside(const JsonPlace& selection) const;
     bool is_of(uint32_t region, const std::string& which) const;
-    void take_materials(const JsonPlace& list);
+    void take_materials(const JsonPlace& list, bool has_own);
     float length(const JsonPlace& place) const;
     // Of a length in the script's unit.
     float in_metres(float length) const { return static_cast<float>(unit_ * double{length}); }

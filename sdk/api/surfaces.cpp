@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Surfaces: made, refined, shown, released.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "api/descriptors.h"
@@ -26,6 +28,21 @@ FlgSurfaceRefineDesc default_refine_desc() {
     auto desc = sized<FlgSurfaceRefineDesc>();
     desc.levels = 1;
     return desc;
+}
+
+FlgSurfacePoint place_on_input(const FlgSurfaceProvenanceView& view, uint32_t triangle, uint32_t vertex) {
+    const uint32_t source = view.triangles[triangle];
+    const uint32_t* const corners = view.input_vertices + size_t{3} * source;
+    const FlgSourceWeights& lies = view.weights[vertex];
+    const std::array<float, 3> weights = {1 - lies.weights[0] - lies.weights[1], lies.weights[0], lies.weights[1]};
+    std::array<float, 3> at = {};
+    for (size_t i = 0; i < 3 && lies.vertices[i] != FLG_NO_INDEX; ++i) {
+        const auto k = std::find(corners, corners + 3, lies.vertices[i]) - corners;
+        if (k == 3)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "vertex is %u, which is none of triangle %u", vertex, triangle);
+        at[static_cast<size_t>(k)] = weights[i];
+    }
+    return {source, at[1], at[2]};
 }
 
 }  // namespace
@@ -62,7 +79,8 @@ FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSu
         auto input = copy_described_mesh(memory, read_struct(read.mesh, sized<FlgMeshView>(), "desc.mesh"));
         const auto surface = make_object<Surface>(memory, memory, self.memory[MemoryKind::caches]);
         surface->origin = read_origin(input->view.origin, "desc.mesh.origin");
-        submission.job().strand.start(make_surface(submission.pace(), surface, std::move(input), read.weld_distance));
+        submission.job().strand.start(
+            make_surface(submission.pace(), surface, std::move(input), read.weld_distance, read.provenance != 0));
         *out_surface = {submission.commit(self.surfaces, surface, out_job)};
     });
 }
@@ -89,7 +107,7 @@ FlgResult flgSurfaceCreateFromTriangles(FlgContext context, const float* positio
         });
         const auto surface = make_object<Surface>(memory, memory, self.memory[MemoryKind::caches]);
         submission.job().strand.start(
-            make_surface(submission.pace(), surface, std::move(input), sized<FlgSurfaceDesc>().weld_distance));
+            make_surface(submission.pace(), surface, std::move(input), sized<FlgSurfaceDesc>().weld_distance, false));
         *out_surface = {submission.commit(self.surfaces, surface, out_job)};
     });
 }
@@ -136,6 +154,34 @@ FlgResult flgSurfaceGetView(FlgContext context, FlgSurface surface, FlgSurfaceVi
         out_view, "out_view", no_surface_view(),
         [&] { return get_context(context).surfaces.get(surface.id, "surface"); },
         [](const Surface& self) { return self.view(); });
+}
+
+FlgResult flgSurfaceProvenanceViewInit(FlgSurfaceProvenanceView* view, uint32_t struct_size) {
+    return init(view, struct_size, sized<FlgSurfaceProvenanceView>(), "view");
+}
+
+FlgResult flgSurfaceGetProvenance(FlgContext context, FlgSurface surface, FlgSurfaceProvenanceView* out_view) {
+    return show(
+        out_view, "out_view", sized<FlgSurfaceProvenanceView>(),
+        [&] { return get_context(context).surfaces.get(surface.id, "surface"); },
+        [](const Surface& self) {
+            if (!self.input_triangles) {
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                              "surface does not know what it was made of: set FlgSurfaceDesc.provenance");
+            }
+            return self.provenance();
+        });
+}
+
+FlgResult flgSurfaceProvenanceViewGetPoint(const FlgSurfaceProvenanceView* view, uint32_t triangle, uint32_t vertex,
+                                           FlgSurfacePoint* out_point) {
+    return guarded([&] {
+        require(out_point, "out_point") = {FLG_NO_INDEX, 0, 0};
+        const FlgSurfaceProvenanceView read = read_struct(view, sized<FlgSurfaceProvenanceView>(), "view");
+        check_range(triangle < read.triangle_count, "triangle", triangle, "below view.triangle_count");
+        check_range(vertex < read.vertex_count, "vertex", vertex, "below view.vertex_count");
+        *out_point = place_on_input(read, triangle, vertex);
+    });
 }
 
 FlgResult flgSurfaceGetChanges(FlgContext context, FlgSurface surface, uint32_t since_revision, uint32_t* out_triangles,

@@ -246,7 +246,7 @@ Task<void> make_ribbon(Pace& pace, std::shared_ptr<const Spline> spline, RibbonS
     co_await pace;
     places = Buffer<Vec3>();
     co_await pace;
-    co_await make_surface(pace, std::move(out), std::move(input), -1);
+    co_await make_surface(pace, std::move(out), std::move(input), -1, false);
 }
 
 }  // namespace flg

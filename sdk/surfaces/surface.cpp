@@ -82,7 +82,7 @@ void Surface::warn(const Host& host) const noexcept {
 void Surface::show_if_at_rest() noexcept {
     if (order.is_changing() || visible_result() != FLG_OK) return;
     const Mesh& shown = mesh();
-    const auto column_count = static_cast<uint32_t>(columns.size() + 1);
+    const auto column_count = static_cast<uint32_t>(attributes.size() + 1);
     view_columns_[0] = {FLG_ATTRIBUTE_POSITION, 3, shown.positions.data()->data(), 0, 0};
     for (uint32_t c = 1; c < column_count; ++c) {
         const MeshColumn& column = columns[c - 1];
@@ -101,6 +101,16 @@ void Surface::show_if_at_rest() noexcept {
              .revision = order.revision(),
              .mesh = &view_mesh_,
              .neighbours = shown.neighbours.data()->data()};
+    if (!input_triangles) return;
+    provenance_ = {.struct_size = sizeof provenance_,
+                   .revision = order.revision(),
+                   .vertex_count = shown.vertex_count(),
+                   .triangle_count = shown.triangle_count(),
+                   .input_triangle_count = static_cast<uint32_t>(input_triangles->size()),
+                   .reserved = 0,
+                   .triangles = shown.source_triangles.data(),
+                   .input_vertices = input_triangles->data()->data(),
+                   .weights = reinterpret_cast<const FlgSourceWeights*>(columns.back().values.data())};
 }
 
 }  // namespace flg

@@ -61,8 +61,10 @@ public:
     // Jobs, as the order lets them.
     RepairedMesh repaired;
     MeshExtent extent;
-    MeshColumns columns;                        // beside the position
-    std::pmr::vector<FlgAttribute> attributes;  // of the columns
+    MeshColumns columns;                        // beside the position; behind them the sources' weights, if asked for
+    std::pmr::vector<FlgAttribute> attributes;  // of the columns that the host sees
+    // The vertices of the input's triangles, welded, in the input's order; null: no one asked where triangles are on it.
+    std::shared_ptr<const Buffer<Triple>> input_triangles;
     // The revision at which a triangle got its vertices; those behind the end have the present one.
     GrowingBuffer<uint32_t> shaped_at;
     uint32_t shape_revision(uint32_t triangle) const {
@@ -75,6 +77,7 @@ public:
 
     // What the host sees; the view only while no change is pending.
     const FlgSurfaceView& view() const { return view_; }
+    const FlgSurfaceProvenanceView& provenance() const { return provenance_; }
     FlgSurfaceReport report() const { return report_; }
     // By the job that made it, at its end: when that is published, a cut may be under way.
     void write_report();
@@ -89,6 +92,7 @@ private:
     FlgColumn view_columns_[17];  // the position and 16 others
     FlgMeshView view_mesh_{};
     FlgSurfaceView view_{};
+    FlgSurfaceProvenanceView provenance_{};
     FlgSurfaceReport report_{};
 };
 

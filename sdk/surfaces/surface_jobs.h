@@ -21,8 +21,9 @@ struct MeshInput {
 };
 
 // The whole of flgSurfaceCreate. A weld distance below 0: none are joined.
+// `with_provenance`: what it is made of can be asked ever after.
 Task<void> make_surface(Pace& pace, std::shared_ptr<Surface> surface, std::shared_ptr<MeshInput> input,
-                        float weld_distance);
+                        float weld_distance, bool with_provenance);
 
 // The whole of flgSurfaceRefine.
 Task<void> refine_surface(Pace& pace, std::shared_ptr<const Surface> coarse, std::shared_ptr<Surface> fine,

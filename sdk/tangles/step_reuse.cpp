@@ -103,11 +103,13 @@ struct AddedWords {
 };
 
 // In the order in which MeshEdit keeps them.
-std::array<AddedWords, 5> added_words(MeshEdit& edit) {
+std::array<AddedWords, array_columns> added_words(const Mesh& mesh, MeshEdit& edit) {
     const size_t vertices = edit.after().vertices - edit.before().vertices;
     const size_t triangles = edit.after().triangles - edit.before().triangles;
-    const std::array<size_t, 5> counts = {3 * vertices, vertices, 3 * triangles, 3 * triangles, triangles};
-    std::array<AddedWords, 5> words{};
+    const size_t sources = mesh.source_triangles.size() == 0 ? 0 : triangles;
+    const std::array<size_t, array_columns> counts = {3 * vertices,  vertices,  3 * triangles,
+                                                      3 * triangles, triangles, sources};
+    std::array<AddedWords, array_columns> words{};
     const std::byte* at = edit.added().data();
     for (size_t i = 0; i < words.size(); ++i) {
         words[i] = {at, counts[i]};
@@ -116,14 +118,15 @@ std::array<AddedWords, 5> added_words(MeshEdit& edit) {
     return words;
 }
 
-Task<bool> all_known(Pace& pace, MeshEdit& edit, const MeshColumns& columns, const Renumbering& numbers) {
+Task<bool> all_known(Pace& pace, const Mesh& mesh, MeshEdit& edit, const MeshColumns& columns,
+                     const Renumbering& numbers) {
     bool known = true;
     co_await each(pace, edit.words().size(), Cost::tens_of_ns, [&](uint32_t i) {
         const MeshEdit::Word& word = edit.words()[i];
         if (numbers.is_passing(word)) return;
         known &= numbers.index(columns, word) != no_index && numbers.is_known(word.array, word.value);
     });
-    const std::array<AddedWords, 5> added = added_words(edit);
+    const std::array<AddedWords, array_columns> added = added_words(mesh, edit);
     for (const uint32_t array : {array_corners, array_triangles, array_neighbours})
         co_await each(pace, added[array].count, Cost::some_ns,
                       [&](uint32_t i) { known &= numbers.is_known(array, added[array][i]); });
@@ -142,7 +145,7 @@ Task<void> write_words(Pace& pace, MeshEdit& from, Mesh& mesh, MeshColumns& colu
 // What the edit had added, behind what there is.
 Task<void> append_added(Pace& pace, MeshEdit& from, Mesh& mesh, MeshColumns& columns, const Renumbering& numbers,
                         const RegionMap& regions, uint32_t first_vertex, uint32_t first_triangle) {
-    const std::array<AddedWords, 5> added = added_words(from);
+    const std::array<AddedWords, array_columns> added = added_words(mesh, from);
     const std::array<uint32_t*, 5> to = {
         reinterpret_cast<uint32_t*>(mesh.positions.data() + first_vertex), mesh.corner_of_vertex.data() + first_vertex,
         reinterpret_cast<uint32_t*>(mesh.triangles.data() + first_triangle),
@@ -154,7 +157,9 @@ Task<void> append_added(Pace& pace, MeshEdit& from, Mesh& mesh, MeshColumns& col
         mesh.regions[first_triangle + i] = regions[added[array_regions][i]];
         mesh.region_blocks.add(mesh.regions[first_triangle + i], first_triangle + i);
     });
-    const std::byte* at = added[array_regions].bytes + added[array_regions].count * sizeof(uint32_t);
+    co_await each(pace, added[array_sources].count, Cost::some_ns,
+                  [&](uint32_t i) { mesh.source_triangles[first_triangle + i] = added[array_sources][i]; });
+    const std::byte* at = added[array_sources].bytes + added[array_sources].count * sizeof(uint32_t);
     const size_t vertices = from.after().vertices - from.before().vertices;
     for (MeshColumn& column : columns) {
         const AddedWords words{at, vertices * column.components};
@@ -324,7 +329,7 @@ Task<bool> use_again(Pace& pace, Tangle& tangle, const OldStep& old, uint32_t re
     if (has_edit) {
         const MeshColumns& columns = tangle.surface->columns;
         const Renumbering numbers(columns, changes);
-        if (!co_await all_known(pace, *old.step->edit, columns, numbers)) {
+        if (!co_await all_known(pace, tangle.surface->mesh(), *old.step->edit, columns, numbers)) {
             changes.vertices.forget_after(vertex_ranges);
             changes.triangles.forget_after(triangle_ranges);
             co_return false;

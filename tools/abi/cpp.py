@@ -19,6 +19,7 @@ _LENGTHS = {
     "FlgStraightSkeletonView.face_nodes": "face_offsets.empty() ? 0 : face_offsets[contour_count]",
     "FlgStraightSkeletonView.input_points": "contour_count",
     "FlgSurfaceView.neighbours": "std::size_t{3} * mesh.triangle_count",
+    "FlgSurfaceProvenanceView.input_vertices": "std::size_t{3} * input_triangle_count",
     "FlgSurfaceCurvesView.points": "curve_offsets.empty() ? 0 : curve_offsets[curve_count]",
     "FlgFieldView.labels": "vertex_count",
     "FlgPartView.arcs": "node_count == 0 ? 0 : std::size_t{2} * (node_count - 1)",

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "command.h"
+#include "documents/extensions.h"
 #include "documents/failure.h"
 #include "documents/tangle_script.h"
 #include "documents/text_file.h"
@@ -44,8 +45,29 @@ Groups visible_groups(const TangleScript& script, const FlgMeshView& mesh) {
     return groups;
 }
 
+// Whether the result is the asset that the mesh is, ornamented.
+bool is_of_asset(const Options& options) {
+    return ends_with_one_of(options.mesh, {".gltf", ".glb"}) && ends_with_one_of(options.output, {".glb"});
+}
+
+// The asset with its triangles cut, by the script's materials, or its own.
+void write_ornamented(const Options& options, const MeshSurface& surface, const TangleScript& script, Report& report) {
+    const TangleMaterials& materials = script.materials();
+    if (materials.table.empty())
+        report.warn(options.script + ": has no materials, so all regions have those of " + options.mesh);
+    const FlgMeshView& mesh = *surface.view().mesh;
+    const auto own = static_cast<uint32_t>(materials.table.size());
+    std::vector<uint32_t> labels(mesh.triangle_count, own);
+    for (uint32_t t = 0; !materials.table.empty() && t < mesh.triangle_count; ++t)
+        labels[t] = std::min(materials.of_region[mesh.regions[t]], own);
+    write_asset(options.output, surface, labels, materials.table);
+}
+
 // The cut mesh, by the script's materials, or by groups where it has none.
-void write_result(const Options& options, FlgMeshView mesh, const TangleScript& script, const Groups& groups) {
+void write_result(const Options& options, const MeshSurface& surface, const TangleScript& script, const Groups& groups,
+                  Report& report) {
+    if (is_of_asset(options)) return write_ornamented(options, surface, script, report);
+    FlgMeshView mesh = *surface.view().mesh;
     const TangleMaterials& materials = script.materials();
     if (materials.table.empty()) {
         mesh.regions = groups.of_triangle.data();
@@ -145,13 +167,13 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     report.parameters["script"] = options.script;
     if (options.first) report.parameters["first"] = *options.first;
     Session session(common);
-    const MeshSurface surface(session, options.mesh, 0.0f, report);
+    const MeshSurface surface(session, options.mesh, 0.0f, report, is_of_asset(options));
     surface.warn_of_repairs(report);
     TangleScript tangle(session, surface, report);
     if (is_document(script)) {
         replay_document(session, tangle.tangle(), options.script, report);
     } else {
-        tangle.run(script, options.script);
+        tangle.run(script, options.script, is_of_asset(options));
     }
 
     const FlgCurveSet borders =
@@ -167,7 +189,7 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     report.counts["cut_vertices"] = mesh.vertex_count;
     report.counts["cut_triangles"] = mesh.triangle_count;
     report.counts["materials"] = tangle.materials().table.size();
-    write_result(options, mesh, tangle, groups);
+    write_result(options, surface, tangle, groups, report);
     if (!options.masks.empty()) write_masks(options, mesh, groups);
     if (borders.id != 0) {
         report.counts["border_points"] = write_curves(session.context(), borders, options.curves);
@@ -189,7 +211,8 @@ Command add_tangle(CLI::App& program, const CommonOptions& common) {
         ->type_name("SCRIPT.json");
     app->add_option(
            "-o,--output", o->output,
-           "Result: .glb with a primitive a material, or a group where the script has no materials; .ply or .obj")
+           "Result: .glb with a primitive a material, or a group where the script has no materials; .ply or .obj. A "
+           ".gltf or .glb MESH goes into OUT.glb with all that it has: textures, skins, animations")
         ->required()
         ->type_name("OUT");
     app->add_option("--first", o->first, "Run only the first N operations; materials of the others are left out")

@@ -336,6 +336,13 @@ typedef struct FlgMeshFileWriteDesc {
                                               colour */
     const FlgMeshMaterial* materials;      /* for .glb, by label; materials without a region are omitted */
     const FlgFileHooks* hooks; /* null: all defaults. Default null */
+    /* For .glb: the path of the .gltf or .glb file whose mesh, as flgMeshFileRead gives it, became the surface that
+     * `view` shows. What that file holds is written too: nodes, other meshes, materials, pictures, skins, animations
+     * and what this library does not know keep their content. Triangles are the view's, with all that the file's
+     * vertices have: texture coordinates, colours, tangents, joints and weights, morph targets. Those whose label is
+     * material_count or more keep their material. Needs `provenance`. Default null: none. */
+    const char* asset;
+    const FlgSurfaceProvenanceView* provenance; /* of that surface, as it is in `view`. Default null */
 } FlgMeshFileWriteDesc;
 
 FLG_API FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_size);

@@ -59,6 +59,10 @@ typedef struct FlgSurfaceDesc {
     float weld_distance;
     const FlgJobOptions* job;
     const FlgMeshView* mesh; /* copied */
+    /* Nonzero: flgSurfaceGetProvenance can be asked where triangles lie on `mesh`. 20 bytes a vertex, 4 a triangle and
+     * 12 a triangle of `mesh`. Default 0. */
+    uint32_t provenance;
+    uint32_t reserved;
 } FlgSurfaceDesc;
 
 FLG_API FlgResult flgSurfaceDescInit(FlgSurfaceDesc* desc, uint32_t struct_size);
@@ -127,6 +131,48 @@ FLG_API FlgResult flgSurfaceViewInit(FlgSurfaceView* view, uint32_t struct_size)
  * the one that makes the surface, is published. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgSurfaceGetView(FlgContext context, FlgSurface surface, FlgSurfaceView* out_view);
 
+/* At weights (1 - u - v, u, v) of the triangle's corners; u, v >= 0 and u + v <= 1 (clipped within 1e-5). */
+typedef struct FlgSurfacePoint {
+    uint32_t triangle; /* its index */
+    float u, v;        /* weights of corners 1 and 2 */
+} FlgSurfacePoint;
+
+/* Where a vertex lies on the mesh that its surface was made of: weights of at most three of that mesh's vertices, all of
+ * one triangle. */
+typedef struct FlgSourceWeights {
+    uint32_t vertices[3]; /* of the input, rising, welded: the first of those at a place; FLG_NO_INDEX behind the last */
+    float weights[2];     /* of the second and the third, 0 to 1; the first has what is missing to 1 */
+} FlgSourceWeights;
+
+/* Where a surface's triangles and vertices lie on the mesh that it was made of, however often it was cut, refined or
+ * displaced since: so that whatever that mesh has at the corners of its triangles (texture coordinates with seams,
+ * tangents, joints and weights, morph targets) can be had at the corners of the surface's. Each triangle lies in one
+ * triangle of the input. */
+typedef struct FlgSurfaceProvenanceView {
+    uint32_t struct_size;
+    uint32_t revision;               /* of the surface */
+    uint32_t vertex_count;           /* the surface's */
+    uint32_t triangle_count;
+    uint32_t input_triangle_count;
+    uint32_t reserved;
+    const uint32_t* triangles;       /* one per triangle: the input's triangle it lies in */
+    const uint32_t* input_vertices;  /* 3 per triangle of the input, in its order, welded as above */
+    const FlgSourceWeights* weights; /* one per vertex */
+} FlgSurfaceProvenanceView;
+
+FLG_API FlgResult flgSurfaceProvenanceViewInit(FlgSurfaceProvenanceView* view, uint32_t struct_size);
+
+/* The arrays, readable as those of flgSurfaceGetView. FLG_ERROR_INVALID_ARGUMENT without FlgSurfaceDesc.provenance; a
+ * refined surface has it from the one it was refined from. After Loop's scheme a vertex lies where it would lie had its
+ * edge been split halfway. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgSurfaceGetProvenance(FlgContext context, FlgSurface surface, FlgSurfaceProvenanceView* out_view);
+
+/* [any thread] The place on the input of a vertex of a triangle: `triangle` of the input, and the weights of that
+ * triangle's corners 1 and 2 in the input's order. FLG_ERROR_INVALID_ARGUMENT if the vertex is none of the triangle's.
+ * Cost: tens of nanoseconds. */
+FLG_API FlgResult flgSurfaceProvenanceViewGetPoint(const FlgSurfaceProvenanceView* view, uint32_t triangle,
+                                                   uint32_t vertex, FlgSurfacePoint* out_point);
+
 /* Triangles that are new, have moved or have other vertices since an earlier revision (0: its creation): those to
  * upload again or to update in a picking scene. Regions may have changed anywhere. Writes at most `capacity` indices,
  * each once, ascending, and their total number; `out_triangles` may be null when capacity is 0. FLG_NOT_READY while the
@@ -162,12 +208,6 @@ FLG_API FlgResult flgSurfaceRefine(FlgContext context, const FlgSurfaceRefineDes
                                    FlgJob* out_job);
 
 /* ---- Points and curves on a surface ---------------------------------------------------------------------------- */
-
-/* At weights (1 - u - v, u, v) of the triangle's corners; u, v >= 0 and u + v <= 1 (clipped within 1e-5). */
-typedef struct FlgSurfacePoint {
-    uint32_t triangle; /* its index */
-    float u, v;        /* weights of corners 1 and 2 */
-} FlgSurfacePoint;
 
 typedef struct FlgSurfaceCurvesView {
     uint32_t struct_size;

@@ -209,7 +209,29 @@ CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* de
         check_face_column(i);
     }
     materials_ = read_materials(desc_.materials, desc_.material_count);
-    if (!materials_.empty() && split_regions()) check_labels();
+    if (!asset()) {
+        if (!materials_.empty() && split_regions()) check_labels();
+        return;
+    }
+    provenance_ = read_given(desc_.provenance, "desc.provenance");
+    check_provenance();
+}
+
+void CheckedMesh::check_provenance() const {
+    const auto check_count = [](const char* name, uint32_t count, uint32_t in_view) {
+        if (count != in_view)
+            fail(FLG_ERROR_INVALID_ARGUMENT, name, "is %u, but view has %u: it is another surface's", count, in_view);
+    };
+    check_count("desc.provenance.vertex_count", provenance_->vertex_count, view_.vertex_count);
+    check_count("desc.provenance.triangle_count", provenance_->triangle_count, view_.triangle_count);
+    check_argument(provenance_->triangles, "desc.provenance.triangles");
+    check_argument(provenance_->input_vertices, "desc.provenance.input_vertices");
+    check_argument(provenance_->weights, "desc.provenance.weights");
+    for (size_t t = 0; t < triangle_count(); ++t) {
+        if (provenance_->triangles[t] < provenance_->input_triangle_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.provenance.triangles[" + to_text(t) + "]",
+             "is %u, but the input has %u triangles", provenance_->triangles[t], provenance_->input_triangle_count);
+    }
 }
 
 void CheckedMesh::check_triangles() const {

@@ -89,6 +89,9 @@ public:
     bool split_regions() const { return desc_.split_regions != 0; }
     // By label; empty: none are given.
     const Vector<FlgMeshMaterial>& materials() const { return materials_; }
+    // The file whose triangles were cut; none: the mesh stands alone.
+    const char* asset() const { return desc_.asset; }
+    const std::optional<FlgSurfaceProvenanceView>& provenance() const { return provenance_; }
 
     Column position, color, normal, uv;
 
@@ -96,11 +99,13 @@ private:
     void check_triangles() const;
     void check_face_column(uint32_t index) const;
     void check_labels() const;
+    void check_provenance() const;
 
     FlgMeshView view_ = {};
     FlgMeshFileWriteDesc desc_ = {};
     Vector<FlgMeshFaceColumn> face_columns_;
     Vector<FlgMeshMaterial> materials_;
+    std::optional<FlgSurfaceProvenanceView> provenance_;
 };
 
 class CheckedSkin {

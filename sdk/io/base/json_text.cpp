@@ -69,4 +69,25 @@ String json_translation(const Origin& origin) {
     return ",\"translation\":" + json_triple(origin[0], origin[1], origin[2]);
 }
 
+String json_text(const Json& value) {
+    if (value.is_string()) return json_text(value.string());
+    if (value.is_count()) return to_text(value.count());
+    if (value.is_number()) return json_number(value.number());
+    if (value.is_boolean()) return value.boolean() ? "true" : "false";
+    String text;
+    if (value.is_array()) {
+        for (size_t i = 0; i < value.size(); ++i) {
+            separate(text);
+            text += json_text(value[i]);
+        }
+        return "[" + text + "]";
+    }
+    if (!value.is_object()) return "null";
+    for (const JsonMember& member : value.members()) {
+        separate(text);
+        text += json_text(member.name) + ":" + json_text(member.value);
+    }
+    return "{" + text + "}";
+}
+
 }  // namespace flg::io

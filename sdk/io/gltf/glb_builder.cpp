@@ -16,10 +16,6 @@ constexpr uint32_t target_vertices = 34962;
 constexpr uint32_t target_indices = 34963;
 constexpr size_t glb_alignment = 4;
 
-void separate(String& list) {
-    if (!list.empty()) list += ',';
-}
-
 }  // namespace
 
 size_t GlbBuilder::add_view(std::span<const float> values, uint32_t components) {
@@ -157,9 +153,13 @@ String GlbBuilder::finish_scene(const String& top, const String& mesh_name) cons
                   (primitives_.empty() && meshes_.empty() ? "" : "\"meshes\":[" + list + "],") + "\"accessors\":[" +
                   accessors_ + "],\"bufferViews\":[" + views_ +
                   "],\"buffers\":[{\"byteLength\":" + to_text(binary_.size()) + "}]}";
+    return glb_file(std::move(json), binary_);
+}
+
+String glb_file(String json, const String& binary) {
     json.resize((json.size() + glb_alignment - 1) / glb_alignment * glb_alignment, ' ');
     constexpr size_t headers = 7 * sizeof(uint32_t);
-    const size_t total = headers + json.size() + binary_.size();
+    const size_t total = headers + json.size() + binary.size();
     if (total > max_bytes) fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", total);
     String glb;
     glb.reserve(total);
@@ -169,9 +169,9 @@ String GlbBuilder::finish_scene(const String& top, const String& mesh_name) cons
     };
     for (size_t value : {size_t{glb_magic}, size_t{glb_version}, total, json.size(), size_t{glb_json}}) append(value);
     glb += json;
-    append(binary_.size());
+    append(binary.size());
     append(glb_binary);
-    glb += binary_;
+    glb += binary;
     return glb;
 }
 

@@ -21,8 +21,21 @@ constexpr int glb_line_loop = 2;  // modes of primitives
 constexpr int glb_line_strip = 3;
 constexpr int glb_triangles = 4;
 
+// A .glb file of these two parts. Refuses more than max_bytes.
+String glb_file(String json, const String& binary);
+
 class GlbBuilder {
 public:
+    GlbBuilder() = default;
+    // Goes on behind the views and accessors of a document whose bytes, a multiple of 4, these are.
+    GlbBuilder(size_t view_count, size_t accessor_count, String binary)
+        : binary_(std::move(binary)), view_count_(view_count), accessor_count_(accessor_count) {}
+
+    // What was added, as JSON without brackets, and all bytes.
+    const String& views() const { return views_; }
+    const String& accessors() const { return accessors_; }
+    const String& binary() const { return binary_; }
+
     // Values of `components` floats each; returns the buffer view's index.
     size_t add_view(std::span<const float> values, uint32_t components);
     size_t add_view(std::span<const uint32_t> indices);

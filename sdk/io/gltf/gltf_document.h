@@ -59,6 +59,8 @@ public:
     GltfValues accessor(uint64_t index, const String& place) const;
     // Of 4 x 4 floats each, column by column.
     GltfValues matrices(uint64_t index, const String& place) const;
+    // Of those that `buffers` lists.
+    Bytes buffer(uint64_t index) const { return buffers_[index]; }
     // The file that an image is; it is not decoded.
     ByteBlock image(uint64_t index, const String& place) const;
 

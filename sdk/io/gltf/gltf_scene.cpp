@@ -43,7 +43,7 @@ public:
     }
 
     void meshes() {
-        for (uint64_t i = 0; i < document_.size("meshes"); ++i) mesh(i, world_, "meshes");
+        for (uint64_t i = 0; i < document_.size("meshes"); ++i) mesh(i, no_node, world_, "meshes");
     }
 
     void nodes(const Vector<uint64_t>& roots) {
@@ -58,14 +58,14 @@ public:
             if (seen[visit.node]) fail(FLG_ERROR_FORMAT, place, "is shown twice: nodes must form trees");
             seen[visit.node] = true;
             const Transform transform = compose(visit.parent, local_transform(node, place));
-            if (node.find("mesh")) mesh(gltf_required(node, "mesh", place), transform, place + ".mesh");
+            if (node.find("mesh")) mesh(gltf_required(node, "mesh", place), visit.node, transform, place + ".mesh");
             const Vector<uint64_t> children = read_node_list(node, "children", place);
             for (size_t i = children.size(); i-- > 0;) stack.push_back({children[i], transform});
         }
     }
 
 private:
-    void mesh(uint64_t index, const Transform& transform, const String& referrer) {
+    void mesh(uint64_t index, uint64_t node, const Transform& transform, const String& referrer) {
         const Json& mesh = document_.element("meshes", index, referrer);
         const String mesh_place = "meshes[" + to_text(index) + "]";
         const Json* primitives = gltf_array(mesh, "primitives", mesh_place);
@@ -78,7 +78,7 @@ private:
                 fail(FLG_ERROR_FORMAT, place + ".mode", "is %llu, must be 0 to 6",
                      static_cast<unsigned long long>(mode));
             }
-            visit_({primitive, i, placements_, mode, transform, std::move(place)});
+            visit_({primitive, node, index, i, placements_, mode, transform, std::move(place)});
         }
         ++placements_;
     }

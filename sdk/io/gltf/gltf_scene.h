@@ -49,9 +49,13 @@ constexpr uint64_t gltf_triangles = 4;  // the default
 constexpr uint64_t gltf_triangle_strip = 5;
 constexpr uint64_t gltf_triangle_fan = 6;
 
+constexpr uint64_t no_node = UINT64_MAX;
+
 // A primitive of a mesh at a node.
 struct GltfPrimitive {
     const Json& json;
+    uint64_t node;  // no_node without nodes
+    uint64_t mesh;
     uint64_t index;      // in its mesh
     uint64_t placement;  // counts the nodes with meshes in the order they are shown
     uint64_t mode;

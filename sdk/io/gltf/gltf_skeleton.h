@@ -14,7 +14,6 @@
 
 namespace flg::io {
 
-constexpr uint64_t no_node = UINT64_MAX;
 
 class GltfNodes {
 public:

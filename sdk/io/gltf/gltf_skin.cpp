@@ -92,7 +92,7 @@ private:
                 lines_.add(i);
                 continue;
             }
-            read_primitive({primitive, i, node, mode, skeleton_->placement(), here});
+            read_primitive({primitive, node, index, i, node, mode, skeleton_->placement(), here});
         }
     }
 

@@ -38,6 +38,7 @@ void PieceWriter::write(CutTriangle& slot, const Pieces& pieces) {
         const uint32_t triangle = place(i);
         edit_.set_triangle(mesh_, triangle, pieces.triangles[i]);
         edit_.set_region(mesh_, triangle, pieces.regions[i]);
+        edit_.set_source(mesh_, triangle, slot.triangle);
     }
     for (uint32_t i = 0; i < pieces.size(); ++i) {
         for (uint32_t k = 0; k < 3; ++k) {

@@ -9,6 +9,7 @@
 
 #include "surfaces/mesh/mesh_edit.h"
 #include "surfaces/mesh/mesh_growth.h"
+#include "surfaces/mesh/source_weights.h"
 
 namespace flg {
 
@@ -110,7 +111,10 @@ inline void place_vertex(Mesh& mesh, MeshColumns& columns, uint32_t vertex, cons
     interpolate(mesh.positions.data()->data(), 3, mesh.positions[vertex].data());
     for (MeshColumn& column : columns) {
         const size_t n = column.components;
-        interpolate(column.values.data(), n, column.values.data() + n * vertex);
+        if (column.of_sources)
+            store(mix(column, corners, weights), column, vertex);
+        else
+            interpolate(column.values.data(), n, column.values.data() + n * vertex);
     }
 }
 

@@ -46,6 +46,7 @@ struct Mesh {
           triangles(memory),
           neighbours(memory),
           regions(memory),
+          source_triangles(memory),
           corner_of_vertex(memory),
           region_blocks(memory) {}
 
@@ -53,6 +54,7 @@ struct Mesh {
     GrowingBuffer<Triple> triangles;           // vertices, counter-clockwise seen from outside
     GrowingBuffer<Triple> neighbours;          // the triangle across edge k, no_index at a border
     GrowingBuffer<uint32_t> regions;           // a triangle's label
+    GrowingBuffer<uint32_t> source_triangles;  // that of the input in which a triangle lies; empty if nobody asked
     GrowingBuffer<uint32_t> corner_of_vertex;  // one of its corners
     RegionBlocks region_blocks;                // where labels may be; MeshEdit keeps them
 

@@ -62,6 +62,11 @@ MeshEditReplay::Array MeshEditReplay::array(size_t index) {
         case array_triangles: return of(mesh_.triangles, sizeof(Triple), before.triangles, after.triangles);
         case array_neighbours: return of(mesh_.neighbours, sizeof(Triple), before.triangles, after.triangles);
         case array_regions: return of(mesh_.regions, sizeof(uint32_t), before.triangles, after.triangles);
+        case array_sources: {
+            const bool kept = mesh_.source_triangles.size() != 0;
+            return of(mesh_.source_triangles, sizeof(uint32_t), before.triangles,
+                      kept ? after.triangles : before.triangles);
+        }
         default: break;
     }
     MeshColumn& column = columns_[index - array_columns];

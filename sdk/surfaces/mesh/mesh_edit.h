@@ -26,6 +26,7 @@ enum MeshArray : uint32_t {
     array_triangles,
     array_neighbours,
     array_regions,
+    array_sources,
     array_columns
 };
 
@@ -62,6 +63,10 @@ public:
     void set_value(MeshColumns& columns, uint32_t column, uint32_t vertex, float value);
     // Any word of the arrays but labels, by its index in them.
     void set_word(Mesh& mesh, MeshColumns& columns, uint32_t array, uint32_t index, uint32_t value);
+    // A triangle that was added lies in the input's triangle in which the one that it was cut out of lies.
+    void set_source(Mesh& mesh, uint32_t triangle, uint32_t from) {
+        if (mesh.source_triangles.size() != 0) mesh.source_triangles[triangle] = mesh.source_triangles[from];
+    }
     // Triangles in rising order make long runs.
     void set_region(Mesh& mesh, uint32_t triangle, uint32_t label) {
         uint32_t& region = mesh.regions[triangle];

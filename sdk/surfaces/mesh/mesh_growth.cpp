@@ -9,6 +9,7 @@ void resize_mesh(Mesh& mesh, MeshColumns& columns, uint32_t vertices, uint32_t t
     mesh.triangles.resize(triangles);
     mesh.neighbours.resize(triangles);
     mesh.regions.resize(triangles);
+    if (mesh.source_triangles.size() != 0) mesh.source_triangles.resize(triangles);
     for (MeshColumn& column : columns) column.values.resize(size_t{column.components} * vertices);
 }
 
@@ -20,6 +21,8 @@ Task<void> give_back(Pace& pace, Mesh& mesh, MeshColumns& columns) {
     mesh.neighbours = {};
     co_await pace;
     mesh.regions = {};
+    co_await pace;
+    mesh.source_triangles = {};
     co_await pace;
     mesh.corner_of_vertex = {};
     while (mesh.region_blocks.give_back()) co_await pace;
@@ -45,13 +48,14 @@ bool MeshGrowth::run(uint32_t count) {
         case 2: grown = grow(mesh_.triangles, triangles_, count); break;
         case 3: grown = grow(mesh_.neighbours, triangles_, count); break;
         case 4: grown = grow(mesh_.regions, triangles_, count); break;
+        case 5: grown = mesh_.source_triangles.size() == 0 || grow(mesh_.source_triangles, triangles_, count); break;
         default:
-            if (array_ - 5 == columns_.size()) return true;
-            MeshColumn& column = columns_[array_ - 5];
+            if (array_ - 6 == columns_.size()) return true;
+            MeshColumn& column = columns_[array_ - 6];
             grown = grow(column.values, size_t{column.components} * vertices_, count);
     }
     if (grown) ++array_;
-    return array_ - 5 == columns_.size();
+    return array_ - 6 == columns_.size();
 }
 
 }  // namespace flg

@@ -11,10 +11,12 @@
 
 namespace flg {
 
-// An attribute of the vertices, carried along when the mesh is cut: new vertices get the linear interpolation.
+// An attribute of the vertices, carried along when the mesh is cut: new vertices get the linear interpolation, or what
+// says of which vertices that would be.
 struct MeshColumn {
     uint32_t components;          // floats a vertex
     GrowingBuffer<float> values;  // components * vertices
+    bool of_sources = false;      // SourceWeights (source_weights.h), as the words that they are
 };
 using MeshColumns = std::pmr::vector<MeshColumn>;
 
@@ -54,7 +56,7 @@ private:
     Mesh& mesh_;
     MeshColumns& columns_;
     uint32_t vertices_, triangles_;
-    size_t array_ = 0;  // the five of the mesh, then the columns
+    size_t array_ = 0;  // the six of the mesh, then the columns
     bool growing_ = false;
 };
 

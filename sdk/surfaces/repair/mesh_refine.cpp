@@ -8,6 +8,7 @@
 
 #include "core/failure.h"
 #include "runtime/each.h"
+#include "surfaces/mesh/source_weights.h"
 
 namespace flg {
 
@@ -33,6 +34,7 @@ Task<Mesh> room_for_finer(Pace& pace, const Mesh& coarse) {
     fine.triangles = GrowingBuffer<Triple>(4 * triangles, memory);
     fine.neighbours = GrowingBuffer<Triple>(4 * triangles, memory);
     fine.regions = GrowingBuffer<uint32_t>(4 * triangles, memory);
+    if (coarse.source_triangles.size() != 0) fine.source_triangles = GrowingBuffer<uint32_t>(4 * triangles, memory);
     co_return fine;
 }
 
@@ -61,7 +63,11 @@ void split(const Mesh& coarse, uint32_t triangle, uint32_t& next_vertex, Mesh& f
         fine.neighbours[middle][before] = part;
         if (coarse.corner_of_vertex[vertex] == 3 * triangle + k) fine.corner_of_vertex[vertex] = 3 * part;
     }
-    for (uint32_t k = 0; k < 4; ++k) fine.regions[4 * triangle + k] = coarse.regions[triangle];
+    for (uint32_t k = 0; k < 4; ++k) {
+        fine.regions[4 * triangle + k] = coarse.regions[triangle];
+        if (coarse.source_triangles.size() != 0)
+            fine.source_triangles[4 * triangle + k] = coarse.source_triangles[triangle];
+    }
 }
 
 // ---- Values: positions and columns, vertex by vertex
@@ -76,7 +82,8 @@ public:
         fine_columns.reserve(columns.size());
         for (const MeshColumn& column : columns) {
             GrowingBuffer<float> values(column.components * fine.positions.size(), memory);
-            fine_columns.push_back({column.components, std::move(values)});
+            fine_columns.push_back({column.components, std::move(values), column.of_sources});
+            if (column.of_sources) continue;
             channels_.push_back({column.components, column.values.data(), fine_columns.back().values.data()});
             components += column.components;
         }
@@ -114,6 +121,20 @@ private:
     std::pmr::vector<Channel> channels_;  // the position, then the columns
     std::pmr::vector<double> sums_;       // of all channels' components, for the vertex at hand
 };
+
+// Where vertices are on the input: those there were where they had been, others halfway, whatever the rule makes of their
+// positions.
+Task<void> place_on_input(Pace& pace, const Mesh& coarse, const MeshColumn& column, const Mesh& fine,
+                          MeshColumn& fine_column) {
+    co_await each(pace, coarse.vertex_count(), Cost::some_ns,
+                  [&](uint32_t v) { store(load_sources(column, v), fine_column, v); });
+    co_await each(pace, size_t{3} * coarse.triangle_count(), Cost::tens_of_ns, [&](uint32_t corner) {
+        if (!is_edge_owner(coarse, corner)) return;
+        const uint32_t a = coarse.vertex_at(corner), b = coarse.vertex_at(next_corner(corner));
+        store(mix(column, {a, b, b}, {0.5, 0.5, 0}), fine_column,
+              fine.triangles[4 * triangle_of(corner) + 3][corner % 3]);
+    });
+}
 
 // Of each neighbour of an inner vertex of so many: Loop, 1987.
 double loop_weight(uint32_t valence) {
@@ -202,6 +223,8 @@ Task<void> refine_mesh(Pace& pace, Mesh& mesh, MeshColumns& columns, RefineRule 
         MeshColumns fine_columns(pace.memory());
         Blend blend(mesh, columns, fine, fine_columns, pace.memory());
         co_await place_vertices(pace, mesh, fine, rule, blend);
+        for (size_t c = 0; c < columns.size(); ++c)
+            if (columns[c].of_sources) co_await place_on_input(pace, mesh, columns[c], fine, fine_columns[c]);
         std::swap(mesh, fine);
         columns.swap(fine_columns);
         co_await give_back(pace, fine, fine_columns);

@@ -307,6 +307,16 @@ namespace Filigree
         public FlgMeshMaterial* materials;
         /// <summary>null: all defaults. Default null</summary>
         public FlgFileHooks* hooks;
+        /// <summary>
+        /// For .glb: the path of the .gltf or .glb file whose mesh, as flgMeshFileRead gives it, became the surface
+        /// that `view` shows. What that file holds is written too: nodes, other meshes, materials, pictures, skins,
+        /// animations and what this library does not know keep their content. Triangles are the view's, with all that
+        /// the file's vertices have: texture coordinates, colours, tangents, joints and weights, morph targets. Those
+        /// whose label is material_count or more keep their material. Needs `provenance`. Default null: none.
+        /// </summary>
+        public byte* asset;
+        /// <summary>of that surface, as it is in `view`. Default null</summary>
+        public FlgSurfaceProvenanceView* provenance;
     }
 
     /// <summary>How a skin file is read.</summary>

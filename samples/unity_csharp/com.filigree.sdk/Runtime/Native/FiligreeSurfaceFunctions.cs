@@ -73,6 +73,27 @@ namespace Filigree
         public static extern FlgResult flgSurfaceGetView(
             FlgContext context, FlgSurface surface, FlgSurfaceView* out_view);
 
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSurfaceProvenanceViewInit(FlgSurfaceProvenanceView* view, uint struct_size);
+
+        /// <summary>
+        /// The arrays, readable as those of flgSurfaceGetView. FlgResult.ErrorInvalidArgument without
+        /// FlgSurfaceDesc.provenance; a refined surface has it from the one it was refined from. After Loop's scheme a
+        /// vertex lies where it would lie had its edge been split halfway. Cost: tens of nanoseconds.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSurfaceGetProvenance(
+            FlgContext context, FlgSurface surface, FlgSurfaceProvenanceView* out_view);
+
+        /// <summary>
+        /// [any thread] The place on the input of a vertex of a triangle: `triangle` of the input, and the weights of
+        /// that triangle's corners 1 and 2 in the input's order. FlgResult.ErrorInvalidArgument if the vertex is none
+        /// of the triangle's. Cost: tens of nanoseconds.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSurfaceProvenanceViewGetPoint(
+            FlgSurfaceProvenanceView* view, uint triangle, uint vertex, FlgSurfacePoint* out_point);
+
         /// <summary>
         /// Triangles that are new, have moved or have other vertices since an earlier revision (0: its creation): those
         /// to upload again or to update in a picking scene. Regions may have changed anywhere. Writes at most

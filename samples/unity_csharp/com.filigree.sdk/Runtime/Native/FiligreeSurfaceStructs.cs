@@ -37,6 +37,12 @@ namespace Filigree
         public FlgJobOptions* job;
         /// <summary>copied</summary>
         public FlgMeshView* mesh;
+        /// <summary>
+        /// Nonzero: flgSurfaceGetProvenance can be asked where triangles lie on `mesh`. 20 bytes a vertex, 4 a triangle
+        /// and 12 a triangle of `mesh`. Default 0.
+        /// </summary>
+        public uint provenance;
+        public uint reserved;
     }
 
     /// <summary>Defects found in the input, their repairs, and properties of the surface.</summary>
@@ -101,18 +107,6 @@ namespace Filigree
         public uint* neighbours;
     }
 
-    public unsafe partial struct FlgSurfaceRefineDesc
-    {
-        public uint struct_size;
-        /// <summary>default FlgSubdivision.Midpoint</summary>
-        public FlgSubdivision scheme;
-        public FlgJobOptions* job;
-        public FlgSurface surface;
-        /// <summary>1 to 8; default 1</summary>
-        public uint levels;
-        public uint reserved;
-    }
-
     /// <summary>
     /// At weights (1 - u - v, u, v) of the triangle's corners; u, v &gt;= 0 and u + v &lt;= 1 (clipped within 1e-5).
     /// </summary>
@@ -124,6 +118,54 @@ namespace Filigree
         public float u;
         /// <summary>weights of corners 1 and 2</summary>
         public float v;
+    }
+
+    /// <summary>
+    /// Where a vertex lies on the mesh that its surface was made of: weights of at most three of that mesh's vertices,
+    /// all of one triangle.
+    /// </summary>
+    public unsafe partial struct FlgSourceWeights
+    {
+        /// <summary>of the input, rising, welded: the first of those at a place; FLG_NO_INDEX behind the last</summary>
+        public fixed uint vertices[3];
+        /// <summary>of the second and the third, 0 to 1; the first has what is missing to 1</summary>
+        public fixed float weights[2];
+    }
+
+    /// <summary>
+    /// Where a surface's triangles and vertices lie on the mesh that it was made of, however often it was cut, refined
+    /// or displaced since: so that whatever that mesh has at the corners of its triangles (texture coordinates with
+    /// seams, tangents, joints and weights, morph targets) can be had at the corners of the surface's. Each triangle
+    /// lies in one triangle of the input.
+    /// </summary>
+    public unsafe partial struct FlgSurfaceProvenanceView
+    {
+        public uint struct_size;
+        /// <summary>of the surface</summary>
+        public uint revision;
+        /// <summary>the surface's</summary>
+        public uint vertex_count;
+        public uint triangle_count;
+        public uint input_triangle_count;
+        public uint reserved;
+        /// <summary>one per triangle: the input's triangle it lies in</summary>
+        public uint* triangles;
+        /// <summary>3 per triangle of the input, in its order, welded as above</summary>
+        public uint* input_vertices;
+        /// <summary>one per vertex</summary>
+        public FlgSourceWeights* weights;
+    }
+
+    public unsafe partial struct FlgSurfaceRefineDesc
+    {
+        public uint struct_size;
+        /// <summary>default FlgSubdivision.Midpoint</summary>
+        public FlgSubdivision scheme;
+        public FlgJobOptions* job;
+        public FlgSurface surface;
+        /// <summary>1 to 8; default 1</summary>
+        public uint levels;
+        public uint reserved;
     }
 
     public unsafe partial struct FlgSurfaceCurvesView
