@@ -95,14 +95,14 @@ MeshData read_mesh(const Path& path) {
 
 void write_mesh(const Path& target, const CheckedMesh& mesh) {
     const String extension = target.extension();
+    if (mesh.asset() && extension != ".glb") {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.asset", "is given, but %s is no .glb, which alone holds assets",
+             cited(extension).c_str());
+    }
     if (extension == ".ply") return write_file(target, write_ply(mesh));
     if (extension == ".glb" && mesh.asset())
         return write_file(target, write_glb_asset(Path(mesh.asset(), target.host()), mesh));
     if (extension == ".glb") return write_file(target, write_glb_mesh(mesh));
-    if (mesh.asset()) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.asset", "is given, but %s is no .glb, which alone holds assets",
-             cited(extension).c_str());
-    }
     const bool obj = extension == ".obj";
     if (!obj && extension != ".off")
         fail(FLG_ERROR_FORMAT, "", "can't be written: %s is none of .ply .obj .off .glb", cited(extension).c_str());

@@ -3,6 +3,7 @@
 #ifdef FLG_WITH_IO
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 
 #include "filigree/filigree_io.h"
 #include "hardening/folder.h"
@@ -101,6 +102,33 @@ void keep_curve_files(Calls& calls) {
     EXPECT_NE(stroke.brush[0], '\0');
 }
 
+namespace {
+
+// A mesh into the file that it is of, with one material for all.
+void write_into_asset(Calls& calls, const std::string& asset, FlgMeshView mesh, const std::string& path) {
+    std::vector<uint32_t> triangles(mesh.triangle_count);
+    std::iota(triangles.begin(), triangles.end(), 0u);
+    std::vector<FlgSourceWeights> weights;
+    for (uint32_t v = 0; v < mesh.vertex_count; ++v) weights.push_back({{v, FLG_NO_INDEX, FLG_NO_INDEX}, {0, 0}});
+    FlgSurfaceProvenanceView lies = flgSurfaceProvenanceViewDefaults();
+    lies.vertex_count = mesh.vertex_count;
+    lies.triangle_count = lies.input_triangle_count = mesh.triangle_count;
+    lies.triangles = triangles.data();
+    lies.input_vertices = mesh.triangles;
+    lies.weights = weights.data();
+    const FlgMeshMaterial material = flgMeshMaterialDefaults();
+    const std::vector<uint32_t> labels(mesh.triangle_count, 0);
+    mesh.regions = labels.data();
+    FlgMeshFileWriteDesc desc = FLG_INIT(calls, flgMeshFileWriteDescInit);
+    desc.materials = &material;
+    desc.material_count = 1;
+    desc.asset = asset.c_str();
+    desc.provenance = &lies;
+    FLG_CALL(calls, flgMeshFileWrite, path.c_str(), &mesh, &desc);
+}
+
+}  // namespace
+
 void keep_mesh_files(Calls& calls) {
     const Folder folder;
     MeshArrays mesh = cube(2);
@@ -142,6 +170,7 @@ void keep_mesh_files(Calls& calls) {
             FlgMeshMaterial shown = flgMeshMaterialDefaults();
             FLG_CALL(calls, flgMeshFileGetMaterial, read.file, 1u, &shown);
             EXPECT_EQ(shown.roughness, 0.6f);
+            write_into_asset(calls, path, view, folder.at("again.glb"));
         }
     }
 }

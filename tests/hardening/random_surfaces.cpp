@@ -13,6 +13,7 @@ void RandomHost::make_surface() {
     FlgMeshView input = mesh.view();
     desc.mesh = maybe(&input);
     desc.weld_distance = chance(10) ? number(0, 0.1) : 0;
+    desc.provenance = draw(2);
     odd(input);
     odd(desc);
     returned(flgSurfaceCreate(at(), maybe(&desc), out<FlgSurface>(surface), job_out()));
@@ -30,6 +31,10 @@ void RandomHost::change_surface() {
     desc.levels = chance(20) ? 9 + draw(9) : 1;
     odd(desc);
     if (shown == FLG_OK) returned(flgSurfaceRefine(at(), maybe(&desc), out<FlgSurface>(surface), job_out()));
+    FlgSurfaceProvenanceView lies = flgSurfaceProvenanceViewDefaults();
+    returned(flgSurfaceGetProvenance(at(), desc.surface, maybe(&lies)));
+    FlgSurfacePoint point{};
+    returned(flgSurfaceProvenanceViewGetPoint(&lies, draw(40), draw(40), maybe(&point)));
     uint32_t count = 0, few[4];
     returned(flgSurfaceGetChanges(at(), desc.surface, draw(4), maybe(few), draw(5), maybe(&count)));
 }

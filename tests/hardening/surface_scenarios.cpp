@@ -12,6 +12,7 @@ FlgSurface create(Calls& calls, MeshArrays mesh) {
     FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
     const FlgMeshView input = mesh.view();
     desc.mesh = &input;
+    desc.provenance = 1;
     FlgSurface surface{};
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(surface), calls.job());
     return surface;
@@ -193,6 +194,14 @@ void cut_surfaces(Calls& calls) {
     FLG_CALL(calls, flgSurfaceCutCurves, calls.context, &along, calls.job());
     calls.finish();
     calls.note(surface);
+    FlgSurfaceProvenanceView lies = FLG_INIT(calls, flgSurfaceProvenanceViewInit);
+    FLG_CALL(calls, flgSurfaceGetProvenance, calls.context, surface, &lies);
+    FlgSurfacePoint point{};
+    FlgSurfaceView shown = flgSurfaceViewDefaults();
+    FLG_CALL(calls, flgSurfaceGetView, calls.context, surface, &shown);
+    const uint32_t last = lies.triangle_count - 1;
+    FLG_CALL(calls, flgSurfaceProvenanceViewGetPoint, &lies, last, shown.mesh->triangles[size_t{3} * last], &point);
+    calls.note(&point, sizeof point);
     uint32_t changed = 0;
     FLG_CALL(calls, flgSurfaceGetChanges, calls.context, surface, 0u, nullptr, 0u, &changed);
     EXPECT_GT(changed, 0u);

@@ -46,6 +46,14 @@ private:
     std::filesystem::path path_;
 };
 
+// A struct of the ABI that knows its size.
+template <class T>
+T sized() {
+    T made = {};
+    made.struct_size = sizeof made;
+    return made;
+}
+
 inline std::string slurp(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

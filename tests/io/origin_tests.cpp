@@ -13,13 +13,6 @@ using Place = std::array<double, 3>;
 constexpr Place home = {0, 0, 0}, far_away = {1e6, -2e6, 3e6};
 
 // Not by the defaults function: this program has io alone.
-template <class T>
-T sized() {
-    T made = {};
-    made.struct_size = sizeof made;
-    return made;
-}
-
 // A mesh a metre wide of cells x cells squares, on a raster of 1/1024 m; its coordinates in the world.
 struct Bumps {
     explicit Bumps(const Place& at, uint32_t cells = 16) {

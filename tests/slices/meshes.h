@@ -116,10 +116,11 @@ inline Mesh soup(uint32_t size) {
     return mesh;
 }
 
-inline FlgSurface make_surface(auto& host, Mesh mesh) {
+inline FlgSurface make_surface(auto& host, Mesh mesh, bool with_provenance = false) {
     const FlgMeshView view = mesh.view();
     FlgSurfaceDesc desc = flgSurfaceDefaults();
     desc.mesh = &view;
+    desc.provenance = with_provenance;
     FlgSurface surface{};
     host.copy("flgSurfaceCreate", flgSurfaceCreate, &desc, &surface, host.job());
     host.made("flgSurfaceRelease", flgSurfaceRelease, surface);

@@ -24,6 +24,11 @@ void make_soup(WatchedHost& host, uint32_t size) {
     make(host, soup(size));
 }
 
+void make_with_provenance(WatchedHost& host, uint32_t size) {
+    make_surface(host, waves(size), true);
+    host.finish();
+}
+
 FlgSurface whole(WatchedHost& host, uint32_t size) {
     const FlgSurface surface = make_surface(host, waves(size));
     host.finish();
@@ -228,6 +233,7 @@ void cut_curves(WatchedHost& host, uint32_t size) {
 
 constexpr SizedJob all[] = {
     {"surface", make_waves},
+    {"surface_provenance", make_with_provenance},
     {"surface_fan", make_fan},
     {"surface_book", make_book, 1000},
     {"surface_soup", make_soup},

@@ -499,6 +499,12 @@ static inline FlgSurfaceView flgSurfaceViewDefaults(void) {
     return view;
 }
 
+static inline FlgSurfaceProvenanceView flgSurfaceProvenanceViewDefaults(void) {
+    FlgSurfaceProvenanceView view;
+    flgSurfaceProvenanceViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
 static inline FlgSurfaceRefineDesc flgSurfaceRefineDefaults(void) {
     FlgSurfaceRefineDesc desc;
     flgSurfaceRefineDescInit(&desc, (uint32_t)sizeof desc);

@@ -18,6 +18,33 @@ constexpr size_t glb_alignment = 4;
 
 }  // namespace
 
+size_t GlbBuilder::List::add(String text) {
+    if (taken < free.size()) {
+        texts[free[taken]] = std::move(text);
+        return free[taken++];
+    }
+    texts.push_back(std::move(text));
+    return texts.size() - 1;
+}
+
+void GlbBuilder::List::fill(const char* text) {
+    for (; taken < free.size(); ++taken) texts[free[taken]] = text;
+}
+
+void GlbBuilder::fill_places() {
+    views_.fill("{\"buffer\":0,\"byteLength\":1}");
+    accessors_.fill("{\"componentType\":5121,\"count\":1,\"type\":\"SCALAR\"}");
+}
+
+String GlbBuilder::List::joined() const {
+    String list;
+    for (const String& text : texts) {
+        separate(list);
+        list += text;
+    }
+    return list;
+}
+
 size_t GlbBuilder::add_view(std::span<const float> values, uint32_t components) {
     return add_bytes(values.data(), values.size_bytes(), target_vertices,
                      ",\"byteStride\":" + to_text(components * sizeof(float)));
@@ -59,11 +86,9 @@ size_t GlbBuilder::add_colors(Vector<float> colors) {
 
 size_t GlbBuilder::add_accessor(size_t view, size_t byte_offset, size_t count, uint32_t component_type,
                                 const char* type, const String& bounds) {
-    separate(accessors_);
-    accessors_ += "{\"bufferView\":" + to_text(view) + ",\"byteOffset\":" + to_text(byte_offset) +
-                  ",\"componentType\":" + to_text(component_type) + ",\"count\":" + to_text(count) + ",\"type\":\"" +
-                  type + "\"" + bounds + "}";
-    return accessor_count_++;
+    return accessors_.add("{\"bufferView\":" + to_text(view) + ",\"byteOffset\":" + to_text(byte_offset) +
+                          ",\"componentType\":" + to_text(component_type) + ",\"count\":" + to_text(count) +
+                          ",\"type\":\"" + type + "\"" + bounds + "}");
 }
 
 size_t GlbBuilder::add_times(std::span<const float> times) {
@@ -120,12 +145,10 @@ size_t GlbBuilder::add_moves(std::span<const float> moves, bool with_bounds) {
     for (const uint32_t v : moving) values.insert(values.end(), &moves[components * v], &moves[components * v] + 3);
     const size_t indices = add_bytes(moving.data(), moving.size() * sizeof(uint32_t), 0, "");
     const size_t view = add_plain_view(values);
-    separate(accessors_);
-    accessors_ += "{\"componentType\":" + to_text(glb_float) + ",\"count\":" + to_text(count) + ",\"type\":\"VEC3\"" +
-                  bounds + ",\"sparse\":{\"count\":" + to_text(moving.size()) +
-                  ",\"indices\":{\"bufferView\":" + to_text(indices) + ",\"componentType\":" + to_text(glb_unsigned) +
-                  "},\"values\":{\"bufferView\":" + to_text(view) + "}}}";
-    return accessor_count_++;
+    return accessors_.add(
+        "{\"componentType\":" + to_text(glb_float) + ",\"count\":" + to_text(count) + ",\"type\":\"VEC3\"" + bounds +
+        ",\"sparse\":{\"count\":" + to_text(moving.size()) + ",\"indices\":{\"bufferView\":" + to_text(indices) +
+        ",\"componentType\":" + to_text(glb_unsigned) + "},\"values\":{\"bufferView\":" + to_text(view) + "}}}");
 }
 
 void GlbBuilder::add_primitive(const String& attributes, int mode, const String& rest) {
@@ -151,7 +174,7 @@ String GlbBuilder::finish_scene(const String& top, const String& mesh_name) cons
     const String list = meshes_.empty() ? "{" + name + "\"primitives\":[" + primitives_ + "]}" : meshes_;
     String json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"}," + top +
                   (primitives_.empty() && meshes_.empty() ? "" : "\"meshes\":[" + list + "],") + "\"accessors\":[" +
-                  accessors_ + "],\"bufferViews\":[" + views_ +
+                  accessors_.joined() + "],\"bufferViews\":[" + views_.joined() +
                   "],\"buffers\":[{\"byteLength\":" + to_text(binary_.size()) + "}]}";
     return glb_file(std::move(json), binary_);
 }
@@ -177,12 +200,12 @@ String glb_file(String json, const String& binary) {
 
 // Views begin at multiples of 4 bytes. Target 0: none.
 size_t GlbBuilder::add_bytes(const void* data, size_t size, uint32_t target, const String& rest) {
-    separate(views_);
-    views_ += "{\"buffer\":0,\"byteOffset\":" + to_text(binary_.size()) + ",\"byteLength\":" + to_text(size) +
-              (target == 0 ? "" : ",\"target\":" + to_text(target)) + rest + "}";
+    const size_t index =
+        views_.add("{\"buffer\":0,\"byteOffset\":" + to_text(binary_.size()) + ",\"byteLength\":" + to_text(size) +
+                   (target == 0 ? "" : ",\"target\":" + to_text(target)) + rest + "}");
     binary_.append(static_cast<const char*>(data), size);
     binary_.resize((binary_.size() + glb_alignment - 1) / glb_alignment * glb_alignment, '\0');
-    return view_count_++;
+    return index;
 }
 
 }  // namespace flg::io

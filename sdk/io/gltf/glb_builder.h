@@ -27,13 +27,20 @@ String glb_file(String json, const String& binary);
 class GlbBuilder {
 public:
     GlbBuilder() = default;
-    // Goes on behind the views and accessors of a document whose bytes, a multiple of 4, these are.
-    GlbBuilder(size_t view_count, size_t accessor_count, String binary)
-        : binary_(std::move(binary)), view_count_(view_count), accessor_count_(accessor_count) {}
+    // Of a document's list of views or accessors: its length, and those that are left over, whose places are taken first.
+    struct Places {
+        size_t count = 0;
+        Vector<size_t> free;  // rising
+    };
+    // Goes on in a document whose bytes, a multiple of 4, these are.
+    GlbBuilder(Places views, Places accessors, String binary)
+        : binary_(std::move(binary)), views_(std::move(views)), accessors_(std::move(accessors)) {}
 
-    // What was added, as JSON without brackets, and all bytes.
-    const String& views() const { return views_; }
-    const String& accessors() const { return accessors_; }
+    // Free places that nothing took get the least that there can be: what is behind them keeps its place.
+    void fill_places();
+    // Each as JSON; empty: as the document has it.
+    const Vector<String>& views() const { return views_.texts; }
+    const Vector<String>& accessors() const { return accessors_.texts; }
     const String& binary() const { return binary_; }
 
     // Values of `components` floats each; returns the buffer view's index.
@@ -77,8 +84,23 @@ public:
 private:
     size_t add_bytes(const void* data, size_t size, uint32_t target, const String& rest);
 
-    String binary_, views_, accessors_, primitives_, meshes_;
-    size_t view_count_ = 0, accessor_count_ = 0, mesh_count_ = 0;
+    struct List {
+        List() = default;
+        explicit List(Places places) : texts(places.count), free(std::move(places.free)) {}
+        // Returns its index.
+        size_t add(String text);
+        void fill(const char* text);
+        String joined() const;
+
+        Vector<String> texts;
+        Vector<size_t> free;
+        size_t taken = 0;  // of those
+    };
+
+    String binary_;
+    List views_, accessors_;
+    String primitives_, meshes_;
+    size_t mesh_count_ = 0;
 };
 
 }  // namespace flg::io

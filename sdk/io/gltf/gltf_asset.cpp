@@ -6,6 +6,7 @@
 
 #include "io/base/failure.h"
 #include "io/base/json_text.h"
+#include "io/gltf/gltf_leftovers.h"
 #include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_scene.h"
 #include "io/gltf/gltf_triangles.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr uint32_t no_record = UINT32_MAX;
 constexpr uint64_t own_material = UINT64_MAX;
+constexpr uint64_t alignment = 4;  // of bytes in the file
 
 // A primitive of triangles that the scene shows, as flgMeshFileRead reads it.
 struct ShownPrimitive {
@@ -28,7 +30,8 @@ struct ShownPrimitive {
     Vector<uint32_t> corners;  // its vertices, three a triangle
     GltfValues positions;
     Vector<uint32_t> triangles;  // of the surface, that lie in these
-    String primitives;           // what it is written as; empty: as it was
+    bool is_changed = false;
+    String primitives;  // what it is written as, if so
 
     uint32_t triangle_count() const { return static_cast<uint32_t>(corners.size() / 3); }
     bool is_mirrored() const { return determinant(transform) < 0; }
@@ -62,10 +65,12 @@ public:
 
     String write() {
         read_shown(asset_triangles());
+        for (ShownPrimitive& shown : shown_) shown.is_changed = is_changed(shown);
         begin_bytes();
         for (ShownPrimitive& shown : shown_)
-            if (is_changed(shown)) rewrite(shown);
-        return glb_file(document_text(), glb_->binary());
+            if (shown.is_changed) rewrite(shown);
+        String text = document_text();
+        return glb_file(std::move(text), glb_->binary());
     }
 
 private:
@@ -362,23 +367,88 @@ private:
 
     // ---- the document
 
-    // All buffers, one behind the other.
+    // All bytes that are still used, and the places in the document's lists that are free.
     void begin_bytes() {
-        String bytes;
-        for (uint64_t b = 0; b < document_.size("buffers"); ++b) {
-            buffer_begins_.push_back(bytes.size());
-            const Bytes buffer = document_.buffer(b);
-            bytes.append(as_text(buffer));
-            bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+        Map<uint64_t, uint64_t> nodes_of_mesh;
+        for (uint64_t n = 0; n < document_.size("nodes"); ++n)
+            if (const Json* const mesh = document_.element("nodes", n, "nodes").find("mesh"); mesh && mesh->is_count())
+                ++nodes_of_mesh[mesh->count()];
+        const auto is_gone = [&](uint64_t mesh, uint64_t primitive) {
+            return nodes_of_mesh[mesh] <= 1 && std::any_of(shown_.begin(), shown_.end(), [&](const ShownPrimitive& s) {
+                       return s.is_changed && s.mesh == mesh && s.index == primitive;
+                   });
+        };
+        GltfLeftovers left = find_leftovers(document_, is_gone);
+        for (uint64_t v = 0; v < document_.size("bufferViews"); ++v) {
+            if (std::binary_search(left.views.begin(), left.views.end(), v)) continue;
+            const String place = "bufferViews[" + to_text(v) + "]";
+            const Json& view = document_.element("bufferViews", v, place);
+            keep_bytes(view, place);
+            for_extensions(view, place, [&](const Json& json, const String& here) { keep_bytes(json, here); });
         }
-        glb_.emplace(document_.size("bufferViews"), document_.size("accessors"), std::move(bytes));
+        String bytes;
+        for (KeptRange& range : merge_ranges()) {
+            range.at = bytes.size();
+            bytes.append(as_text(document_.buffer(range.buffer).subspan(range.begin, range.end - range.begin)));
+            bytes.resize((bytes.size() + alignment - 1) / alignment * alignment, '\0');
+        }
+        glb_.emplace(GlbBuilder::Places{document_.size("bufferViews"), std::move(left.views)},
+                     GlbBuilder::Places{document_.size("accessors"), std::move(left.accessors)}, std::move(bytes));
     }
 
-    // A view, or what an extension says of it, in the one buffer.
+    // Bytes of a buffer that go into the file.
+    struct KeptRange {
+        uint64_t buffer, begin, end;
+        uint64_t at = 0;  // there
+    };
+
+    // Of a view, or of what an extension says in its place.
+    void keep_bytes(const Json& view, const String& place) {
+        const uint64_t buffer = gltf_required(view, "buffer", place), length = gltf_required(view, "byteLength", place);
+        const uint64_t offset = gltf_unsigned(view, "byteOffset", 0, place);
+        document_.element("buffers", buffer, place + ".buffer");
+        const uint64_t size = document_.buffer(buffer).size();
+        if (offset > size || length > size - offset)
+            fail(FLG_ERROR_FORMAT, place, "covers bytes that its buffer does not have");
+        kept_.push_back({buffer, offset / alignment * alignment, offset + length});
+    }
+
+    // Views may share bytes: each is kept once.
+    Vector<KeptRange>& merge_ranges() {
+        std::sort(kept_.begin(), kept_.end(), [](const KeptRange& a, const KeptRange& b) {
+            return std::pair(a.buffer, a.begin) < std::pair(b.buffer, b.begin);
+        });
+        Vector<KeptRange> merged;
+        for (const KeptRange& range : kept_) {
+            if (!merged.empty() && merged.back().buffer == range.buffer && range.begin <= merged.back().end)
+                merged.back().end = std::max(merged.back().end, range.end);
+            else
+                merged.push_back(range);
+        }
+        return kept_ = std::move(merged);
+    }
+
+    uint64_t place_of_byte(uint64_t buffer, uint64_t offset) const {
+        const auto behind = std::upper_bound(kept_.begin(), kept_.end(), std::pair(buffer, offset),
+                                             [](const std::pair<uint64_t, uint64_t>& byte, const KeptRange& range) {
+                                                 return byte < std::pair(range.buffer, range.begin);
+                                             });
+        const KeptRange& range = *std::prev(behind);
+        return range.at + offset - range.begin;
+    }
+
+    // Those of a view's extensions that say where bytes are.
+    template <class Visit>
+    static void for_extensions(const Json& view, const String& place, Visit visit) {
+        const Json* const extensions = view.find("extensions");
+        if (!extensions) return;
+        for (const JsonMember& extension : extensions->members())
+            if (extension.value.find("buffer")) visit(extension.value, place + ".extensions." + String(extension.name));
+    }
+
+    // A view, or what an extension says in its place, in the one buffer.
     String moved_view(const Json& view, const String& place) const {
         String text;
-        const uint64_t buffer = gltf_required(view, "buffer", place);
-        if (buffer >= buffer_begins_.size()) fail(FLG_ERROR_FORMAT, place + ".buffer", "is no buffer's");
         for (const JsonMember& member : view.members()) {
             if (member.name == "buffer" || member.name == "byteOffset") continue;
             text += "," + json_text(member.name) + ":";
@@ -388,16 +458,16 @@ private:
             }
             String extensions;
             for (const JsonMember& extension : member.value.members()) {
-                const String here = place + ".extensions." + String(extension.name);
                 separate(extensions);
                 extensions +=
                     json_text(extension.name) + ":" +
-                    (extension.value.find("buffer") ? moved_view(extension.value, here) : json_text(extension.value));
+                    (extension.value.find("buffer") ? moved_view(extension.value, place) : json_text(extension.value));
             }
             text += "{" + extensions + "}";
         }
-        const uint64_t offset = buffer_begins_[buffer] + gltf_unsigned(view, "byteOffset", 0, place);
-        return "{\"buffer\":0,\"byteOffset\":" + to_text(offset) + text + "}";
+        const uint64_t at =
+            place_of_byte(gltf_required(view, "buffer", place), gltf_unsigned(view, "byteOffset", 0, place));
+        return "{\"buffer\":0,\"byteOffset\":" + to_text(at) + text + "}";
     }
 
     String image_text(uint64_t index) {
@@ -434,7 +504,7 @@ private:
             while (end < shown_.size() && shown_[end].node == first.node && shown_[end].mesh == first.mesh) ++end;
             const std::span<const ShownPrimitive> placement(&first, end - begin);
             const bool changed = std::any_of(placement.begin(), placement.end(),
-                                             [](const ShownPrimitive& shown) { return !shown.primitives.empty(); });
+                                             [](const ShownPrimitive& shown) { return shown.is_changed; });
             if (!changed) continue;
             const String text = mesh_text(placement);
             if (first.node == no_node || shown_by[first.mesh] == 1) {
@@ -455,8 +525,7 @@ private:
             const auto shown =
                 std::find_if(placement.begin(), placement.end(), [&](const ShownPrimitive& s) { return s.index == i; });
             if (i != 0) list += ',';
-            list +=
-                shown == placement.end() || shown->primitives.empty() ? json_text(primitives[i]) : shown->primitives;
+            list += shown == placement.end() || !shown->is_changed ? json_text(primitives[i]) : shown->primitives;
         }
         for (const JsonMember& member : mesh.members())
             if (member.name != "primitives") text += "," + json_text(member.name) + ":" + json_text(member.value);
@@ -473,7 +542,7 @@ private:
         return text + "}";
     }
 
-    // A list of the document, each element by `text_of`, and what is added behind.
+    // A list of the document, each element by `text_of`, then those that were added.
     template <class TextOf>
     String list(const char* name, TextOf text_of, const String& added = "") const {
         String text;
@@ -483,6 +552,17 @@ private:
         }
         if (!added.empty()) separate(text);
         text += added;
+        return text.empty() ? text : ",\"" + String(name) + "\":[" + text + "]";
+    }
+
+    // The same of what the builder adds to.
+    template <class TextOf>
+    String list(const char* name, const Vector<String>& texts, TextOf text_of) const {
+        String text;
+        for (uint64_t i = 0; i < texts.size(); ++i) {
+            separate(text);
+            text += texts[i].empty() ? text_of(i) : texts[i];
+        }
         return text.empty() ? text : ",\"" + String(name) + "\":[" + text + "]";
     }
 
@@ -512,14 +592,12 @@ private:
         text += ",\"meshes\":[" + mesh_list + "]";
         text += list("materials", own("materials"), material_texts_);
         text += list("images", [this](uint64_t i) { return image_text(i); });
-        text += list("accessors", own("accessors"), glb_->accessors());
-        text += list(
-            "bufferViews",
-            [this](uint64_t v) {
-                const String place = "bufferViews[" + to_text(v) + "]";
-                return moved_view(document_.element("bufferViews", v, place), place);
-            },
-            glb_->views());
+        glb_->fill_places();
+        text += list("accessors", glb_->accessors(), own("accessors"));
+        text += list("bufferViews", glb_->views(), [this](uint64_t v) {
+            const String place = "bufferViews[" + to_text(v) + "]";
+            return moved_view(document_.element("bufferViews", v, place), place);
+        });
         return text + ",\"buffers\":[{\"byteLength\":" + to_text(glb_->binary().size()) + "}]}";
     }
 
@@ -535,7 +613,7 @@ private:
     Vector<uint32_t> next_record_, records_of_vertex_, record_of_own_;
 
     std::optional<GlbBuilder> glb_;
-    Vector<uint64_t> buffer_begins_;
+    Vector<KeptRange> kept_;
     Map<uint32_t, uint64_t> materials_;  // by label
     String material_texts_;
 };

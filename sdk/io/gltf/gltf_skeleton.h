@@ -14,7 +14,6 @@
 
 namespace flg::io {
 
-
 class GltfNodes {
 public:
     // Refuses nodes with two parents, and circles.

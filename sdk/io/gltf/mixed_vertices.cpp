@@ -2,6 +2,7 @@
 #include "io/gltf/mixed_vertices.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/base/failure.h"
 #include "io/base/json_text.h"
@@ -49,6 +50,28 @@ Vector<float> mixed(const GltfValues& values, std::span<const MixedVertex> verti
 size_t nearest(const MixedVertex& vertex) {
     const auto end = vertex.weights.begin() + vertex.count;
     return static_cast<size_t>(std::max_element(vertex.weights.begin(), end) - vertex.weights.begin());
+}
+
+// Names of an application's own begin so. Where all such values are whole numbers they are labels, which have no mix.
+bool are_labels(const String& name, const GltfValues& values) {
+    if (!name.starts_with('_')) return false;
+    for (uint64_t v = 0; v < values.count; ++v) {
+        for (uint32_t c = 0; c < values.components; ++c) {
+            const float value = values.number(v, c);
+            if (value != std::floor(value)) return false;
+        }
+    }
+    return true;
+}
+
+Vector<float> nearest_values(const GltfValues& values, std::span<const MixedVertex> vertices) {
+    Vector<float> to;
+    to.reserve(vertices.size() * values.components);
+    for (const MixedVertex& vertex : vertices) {
+        const uint32_t from = vertex.from[vertex.count == 1 ? 0 : nearest(vertex)];
+        for (uint32_t c = 0; c < values.components; ++c) to.push_back(values.number(from, c));
+    }
+    return to;
 }
 
 // The first three numbers of each as directions; a fourth, a tangent's sign, is that of the nearest vertex.
@@ -163,7 +186,9 @@ String add_mixed_attributes(const GltfDocument& document, const Json& attributes
         const bool of_directions = attribute.name == "NORMAL" || attribute.name == "TANGENT";
         if ((of_positions || of_directions) && values.components < 3)
             fail(FLG_ERROR_FORMAT, values.place, "holds fewer than three numbers a vertex");
-        Vector<float> numbers = of_directions ? mixed_directions(values, vertices) : mixed(values, vertices);
+        Vector<float> numbers = of_directions                                ? mixed_directions(values, vertices)
+                                : are_labels(String(attribute.name), values) ? nearest_values(values, vertices)
+                                                                             : mixed(values, vertices);
         for (size_t i = 0; of_positions && i < vertices.size(); ++i) {
             if (!vertices[i].is_moved) continue;
             const Vec3& position = vertices[i].position;

@@ -315,6 +315,13 @@ namespace Filigree
             return made;
         }
 
+        public static FlgSurfaceProvenanceView flgSurfaceProvenanceViewDefaults()
+        {
+            FlgSurfaceProvenanceView made;
+            flgSurfaceProvenanceViewInit(&made, (uint)sizeof(FlgSurfaceProvenanceView));
+            return made;
+        }
+
         public static FlgSurfaceRefineDesc flgSurfaceRefineDefaults()
         {
             FlgSurfaceRefineDesc made;
