@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "documents/model_drawing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -216,7 +217,34 @@ DrawnPart read_contour_part(const std::string& path) {
     return part;
 }
 
+namespace {
+
+// Where the drawing's middle is if it lies so far away that floats would not tell its points apart; else 0. With mirror
+// images it is as large as it is far away.
+std::array<double, 3> origin_of(const ModelDrawing& drawing) {
+    constexpr double far_away = 1000;  // by its size
+    std::array<double, 3> low, high, origin = {0, 0, 0};
+    low.fill(1e300), high.fill(-1e300);
+    for (const DrawnPart& part : drawing.parts) {
+        if (part.is_mirrored) return origin;
+        for (size_t i = 0; i + 1 < part.contour.points.size(); i += 2)
+            for (size_t k = 0; k < 3; ++k) {
+                const double* row = part.placement.data() + 4 * k;
+                const double at = row[0] * part.contour.points[i] + row[1] * part.contour.points[i + 1] + row[3];
+                low[k] = std::min(low[k], at), high[k] = std::max(high[k], at);
+            }
+    }
+    const double size = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    const auto middle = [&](size_t k) { return low[k] + (high[k] - low[k]) / 2; };
+    if (!(std::hypot(middle(0), middle(1), middle(2)) > far_away * size)) return origin;
+    for (size_t k = 0; k < 3; ++k) origin[k] = middle(k);
+    return origin;
+}
+
+}  // namespace
+
 FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const std::string& subject, Report& report) {
+    const std::array<double, 3> origin = origin_of(drawing);
     std::vector<FlgModelPart> parts;
     std::vector<Session::Pending> jobs;
     for (const DrawnPart& drawn : drawing.parts) {
@@ -235,6 +263,7 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
         jobs.push_back({job, name});
         part.name = drawn.name.c_str();
         std::copy(drawn.placement.begin(), drawn.placement.end(), part.placement);
+        for (size_t k = 0; k < 3; ++k) part.placement[4 * k + 3] -= origin[k];
         part.thickness = drawn.thickness;
         part.depth = drawn.depth;
         part.mirrored = drawn.is_mirrored;
@@ -249,6 +278,7 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
     desc.part_count = static_cast<uint32_t>(parts.size());
     desc.thresholds = &drawing.thresholds;
     std::copy(drawing.mirror.begin(), drawing.mirror.end(), desc.mirror);
+    std::copy(origin.begin(), origin.end(), desc.origin);
     if (!drawing.root.empty()) desc.root = part_named(drawing, drawing.root, subject);
     desc.root_joint = drawing.root_joint.empty() ? nullptr : drawing.root_joint.c_str();
     std::vector<FlgJointEdit> edits;

@@ -405,6 +405,43 @@ private:
     // Joints where parts meet count: their bones go on.
     bool is_middle_bone(uint32_t p, uint32_t joint) const { return joint >= own_end() || may_be_middle(p, joint); }
 
+    // The part's own joint at one end of a bone, which may have been split where other parts hang.
+    uint32_t own_joint_at(uint32_t joint, uint32_t bone) const {
+        const uint32_t part = graph_.bones()[bone].part;
+        while (joint >= own_end()) {
+            uint32_t end = graph_.first_end(joint);
+            while (BoneGraph::bone_of(end) == bone || graph_.bones()[BoneGraph::bone_of(end)].part != part)
+                end = graph_.next_end(end);
+            bone = BoneGraph::bone_of(end);
+            joint = graph_.other(bone, joint);
+        }
+        return joint;
+    }
+
+    // From one of a part's own joints over the next one to an end or where branches meet, as it is alone.
+    uint32_t own_way(uint32_t before, uint32_t joint) const {
+        for (auto ends = own_ends_.of(joint); ends.size() == 2; ends = own_ends_.of(joint)) {
+            const auto neighbour = [&](uint32_t end) { return own_bones_[end / 2][1 - end % 2]; };
+            const uint32_t first = neighbour(ends[0]), after = first == before ? neighbour(ends[1]) : first;
+            before = joint;
+            joint = after;
+        }
+        return joint;
+    }
+
+    // Of a bone of a limb the joint that the limb hangs on, where that is wider.
+    uint32_t wider_trunk(uint32_t bone, double radius) const {
+        const auto& ends = graph_.bones()[bone].joints;
+        const uint32_t a = own_joint_at(ends[0], bone), b = own_joint_at(ends[1], bone);
+        for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {
+            const uint32_t tip = own_way(from, to), trunk = own_way(to, from);
+            if (own_ends_.of(tip).size() == 1 && own_ends_.of(trunk).size() > 2 &&
+                graph_.joints()[trunk].radius > radius)
+                return trunk;
+        }
+        return no_number;
+    }
+
     Task<uint32_t> middle_joint(uint32_t p) {
         const Vec3 middle = middle_of(p);
         uint32_t bone = no_number;
@@ -428,6 +465,10 @@ private:
         const BoneGraph::Joint &a = graph_.joints()[ends[0]], &b = graph_.joints()[ends[1]];
         const Vec3 at = a.at + share * (b.at - a.at);
         const double radius = std::lerp(a.radius, b.radius, share);
+        const ModelPart& part = model_.parts[p];
+        const double depth = co_await depth_in(pace_, part.part->outline, part.drawn(at));
+        const uint32_t trunk = wider_trunk(bone, depth * part.radius_scale());
+        if (trunk != no_number) co_return trunk;
         // Where other parts hang is not asked: what is in the middle must not depend on them. Between two girdles the
         // middle is on the spine.
         const uint32_t own = co_await nearest_own(p, at, true);

@@ -6,6 +6,8 @@
 //    others follow in modelling order, those that a host hung on a part after that. Each is connected with the parts
 //    before it that it meets (connection.h): with the nearest, and where these do not hang together yet, with more.
 // 2. Parts that meet no other are roots too. From the roots on every part is directed and its joints are numbered.
+// 3. The root is the middle of its part; where that is on a limb that is thinner than the joint that it hangs on, it is
+//    that joint.
 //
 // Departure from the paper: there a part drawn before the trunk is a root, and what it met is all it is connected with.
 #pragma once

@@ -54,8 +54,9 @@ Side side_of(const AxisGraph& graph, const MirrorAxis& mirror, uint32_t node, do
     return side > 0 ? Side::left : Side::right;
 }
 
-// Makes one tree that stays one with its image: what lies on the axis hangs together along it, which is inside of the
-// shape all the way, and each piece to the left hangs on that once, where there is most room.
+// Makes one tree that stays one with its image: what lies on the axis hangs together along it, from one end to the
+// other, which is inside of the shape all the way, and each piece to the left hangs on that once, where there is most
+// room.
 bool make_tree(const MirrorAxis& mirror, Half& half, Memory* memory) {
     AxisGraph& graph = half.graph;
     NodeClusters clusters(graph.nodes.size(), memory);
@@ -68,8 +69,8 @@ bool make_tree(const MirrorAxis& mirror, Half& half, Memory* memory) {
         double along;
         uint32_t node;
     };
-    struct Gap {
-        double length;
+    struct Join {
+        double clearance;
         uint32_t a, b;
     };
     std::pmr::vector<OnAxis> nodes(memory);
@@ -81,25 +82,19 @@ bool make_tree(const MirrorAxis& mirror, Half& half, Memory* memory) {
     std::sort(nodes.begin(), nodes.end(), [](const OnAxis& a, const OnAxis& b) {
         return a.along != b.along ? a.along < b.along : a.node < b.node;
     });
-    std::pmr::vector<Gap> gaps(memory), joins(memory);
-    for (size_t i = 0; i + 1 < nodes.size(); ++i)
-        gaps.push_back({nodes[i + 1].along - nodes[i].along, nodes[i].node, nodes[i + 1].node});
-    const auto shorter = [](const Gap& a, const Gap& b) {
-        return a.length != b.length ? a.length < b.length : a.a < b.a;
-    };
-    std::sort(gaps.begin(), gaps.end(), shorter);
-    for (const auto& [a, b] : graph.arcs)
-        if (half.is_on[a] && half.is_on[b]) add(a, b);
-    for (const Gap& gap : gaps) add(gap.a, gap.b);
+    for (size_t i = 0; i + 1 < nodes.size(); ++i) add(nodes[i].node, nodes[i + 1].node);
+    std::pmr::vector<Join> joins(memory);
     for (const auto& [a, b] : graph.arcs) {
         if (half.is_on[a] && half.is_on[b]) continue;
         if (!half.is_on[a] && !half.is_on[b])
             add(a, b);
         else
-            joins.push_back({-graph.nodes[half.is_on[a] ? a : b].clearance, a, b});
+            joins.push_back({graph.nodes[half.is_on[a] ? a : b].clearance, a, b});
     }
-    std::sort(joins.begin(), joins.end(), shorter);
-    for (const Gap& join : joins) add(join.a, join.b);
+    std::sort(joins.begin(), joins.end(), [](const Join& a, const Join& b) {
+        return a.clearance != b.clearance ? a.clearance > b.clearance : a.a < b.a;
+    });
+    for (const Join& join : joins) add(join.a, join.b);
     graph.arcs = std::move(arcs);
     return !nodes.empty() && graph.arcs.size() + 1 == graph.nodes.size();
 }

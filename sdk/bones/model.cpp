@@ -18,15 +18,28 @@ namespace flg {
 namespace {
 
 constexpr size_t max_joints = 65535;
-constexpr double bulge = 0.15;    // of a junction's radius: branches of a part alone that reach less beyond are none
+constexpr double bulge = 0.25;    // of a junction's radius: branches of a part alone that reach less beyond are none
 constexpr double on_axis = 1e-9;  // of a part's length: joints on its mirror axis are that near
+
+// The ball of a part where it is widest; where it is its own mirror image, on the axis.
+Task<void> find_widest(Pace& pace, const ModelPart& part, RefinementThresholds& out) {
+    const HeldPart& drawn = *part.part;
+    const auto& nodes = drawn.skeleton.graph.nodes;
+    uint32_t widest = no_number;
+    co_await each(pace, nodes.size(), Cost::tens_of_ns, [&](uint32_t n) {
+        if (drawn.mirror && std::abs(drawn.mirror->side(nodes[n].at)) > on_axis * drawn.length) return;
+        if (widest == no_number || nodes[n].clearance > nodes[widest].clearance) widest = n;
+    });
+    if (widest == no_number) co_return;
+    out.widest_at = part.place(nodes[widest].at);
+    out.widest = nodes[widest].clearance * part.radius_scale();
+}
 
 // The joints of a part: of the ends of its branches, and those chosen along them.
 Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, const PartJoints& chosen, BoneGraph& graph) {
     const ModelPart& placed = model.parts[number];
     const PartSkeleton& skeleton = placed.part->skeleton;
-    // What is measured across the axis in the plane, and through the part at right angles to it, on the average.
-    const double radius_scale = placed.scale * 0.5 * (1 + placed.thickness);
+    const double radius_scale = placed.radius_scale();
     Buffer<uint32_t> joint_of(skeleton.graph.nodes.size(), pace.memory());
     co_await each(pace, joint_of.size(), Cost::some_ns, [&](uint32_t node) { joint_of[node] = no_number; });
     const auto end_joint = [&](uint32_t node) {
@@ -158,7 +171,11 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     };
     {
         const PartJoints chosen = co_await choose_joints(pace, m);
-        for (const ModelPart& part : m.parts) thresholds.push_back(in_space(part.thresholds));
+        for (const ModelPart& part : m.parts) {
+            thresholds.push_back(in_space(part.thresholds));
+            if (part.thresholds.detail > 0) thresholds.back().hub = part.scale / part.radius_scale();
+            co_await find_widest(pace, part, thresholds.back());
+        }
         thresholds.push_back(in_space(m.thresholds));
         // First each part alone: so its joints are the same wherever it is.
         for (uint32_t p = 0; p < m.parts.size(); ++p) {
@@ -175,7 +192,7 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     }
     first_joints.push_back(static_cast<uint32_t>(graph.joints().size()));
     // What hangs on a part may lie in it, like an eye in a head.
-    for (RefinementThresholds& own : thresholds) own.bulge = 0;
+    for (RefinementThresholds& own : thresholds) own.bulge = own.hub = 0;
     pace.stage("connect");
     Hierarchy hierarchy = co_await connect_parts(pace, m, graph, first_joints, thresholds.back().collapse);
     m.previous.reset();

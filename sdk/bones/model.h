@@ -34,6 +34,8 @@ struct ModelPart {
     uint32_t parent = no_number;    // that the host hung it on, itself: none; no_number: to be found
     std::pmr::string parent_joint;  // its key; none: the nearest
 
+    // Of what is measured across the axis in the drawing, the average with what is through the part, in space.
+    double radius_scale() const { return scale * 0.5 * (1 + thickness); }
     Point2 drawn(const Vec3& at) const {
         const Vec3 offset = (at - placement.col(3)) / (scale * scale);
         return {offset.dot(placement.col(0)), offset.dot(placement.col(1))};

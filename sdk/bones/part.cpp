@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bones/axis.h"
+#include "bones/axis_stubs.h"
 #include "bones/contour_sampling.h"
 #include "bones/mirrored_axis.h"
 #include "runtime/each.h"
@@ -114,7 +115,8 @@ Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
         is_found = co_await make_skeleton(pace, p.outline, skeleton, &attempt == std::end(attempts) - 1);
     }
     pace.stage("axis");
-    AxisGraph graph = co_await axis_graph(pace, p.outline, skeleton, p.collapse);
+    AxisGraph whole = co_await axis_graph(pace, p.outline, skeleton, p.collapse);
+    AxisGraph graph = co_await without_stubs(pace, p.outline, std::move(whole));
     const double spacing = (p.spacing > 0 ? p.spacing : default_spacing) * p.length;
     std::optional<PartSkeleton> mirrored;
     if (half && graph.nodes.size() > 1)

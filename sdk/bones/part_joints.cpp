@@ -213,9 +213,11 @@ private:
                                          model_.shape_weight);
             if (detail > 0 && !is_own) co_await divide_long(pace_, placed.part->outline, samples, free, detail, joints);
         }
+        // Where it begins it is as wide as what it begins in.
+        const Piece middle{whole.to / 4, whole.to - whole.to / 4};
         if (detail > 0 && !is_own && (free.first || free.last) && joints.size() <= most_pieces)
             limbs_.push_back({p, b, number, length_of(samples, whole) * placed.scale,
-                              co_await mean_radius(pace_, samples, whole) * placed.scale,
+                              co_await mean_radius(pace_, samples, middle) * placed.scale,
                               static_cast<uint32_t>(joints.size())});
         out_.samples.push_back(std::move(joints));
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr uint32_t contraction_work = 8;  // by a look at a bone
 constexpr double as_wide = 1 - 1e-6;      // by the radius
+constexpr uint32_t least_hub = 5;         // limbs
 
 using Hold = BoneGraph::Hold;
 
@@ -34,14 +35,17 @@ bool is_pinned(const BoneGraph& graph, uint32_t joint) {
 struct Branch {
     uint32_t joint;  // one of its ends
     uint32_t way;    // its first bone; where it is pruned its other end
+    // Where it joins junctions: the other one, and whether they are merged for its length.
+    uint32_t other = no_number;
+    bool is_short = true;
 };
 
 struct Junction {
     uint32_t joint;
     uint32_t cluster;  // another one that it becomes one with, itself: none
     uint32_t widest;   // of the cluster's, at the one that stands for it
-    // The same: how many are as wide as that, and their middle.
-    uint32_t equals = 0;
+    // The same: branches that leave it and are not pruned, how many junctions are as wide as that, and their middle.
+    uint32_t limbs = 0, equals = 0;
     Vec3 middle = Vec3::Zero();
 };
 
@@ -62,8 +66,35 @@ struct Junctions {
     std::pmr::vector<Branch> branches;  // between two of a cluster
 };
 
-// Junctions, each with those at the other ends of its branches that are short.
+// Whether one is within a share of the other's radius.
+bool are_hub(const BoneGraph& graph, uint32_t a, uint32_t b, double share) {
+    const BoneGraph::Joint &first = graph.joints()[a], &second = graph.joints()[b];
+    return (first.at - second.at).norm() < share * std::max(first.radius, second.radius);
+}
+
+// Of hubs those that many limbs leave; branches that are short stay in any case.
+Task<void> keep_hubs(Pace& pace, Junctions& junctions) {
+    const auto whole = [&](uint32_t i) -> Junction& { return junctions.all[junctions.cluster(i)]; };
+    co_await each(pace, junctions.all.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        if (const uint32_t cluster = junctions.cluster(i); cluster != i)
+            junctions.all[cluster].limbs += junctions.all[i].limbs;
+    });
+    std::pmr::vector<Branch> kept(pace.memory());
+    co_await each(pace, junctions.branches.size(), Cost::tens_of_ns, [&](uint32_t b) {
+        const Branch& branch = junctions.branches[b];
+        if (branch.is_short || whole(junctions.number_of[branch.joint]).limbs >= least_hub) kept.push_back(branch);
+    });
+    co_await each(pace, junctions.all.size(), Cost::some_ns, [&](uint32_t i) { junctions.all[i].cluster = i; });
+    junctions.branches = std::move(kept);
+    co_await each(pace, junctions.branches.size(), Cost::tens_of_ns, [&](uint32_t b) {
+        const Branch& branch = junctions.branches[b];
+        junctions.unite(junctions.number_of[branch.joint], junctions.number_of[branch.other]);
+    });
+}
+
+// Junctions, each with those at the other ends of its branches that are near.
 Task<void> find_clusters(Pace& pace, const BoneGraph& graph, Thresholds thresholds, Junctions& junctions) {
+    bool has_hubs = false;
     co_await each(pace, graph.joints().size(), Cost::some_ns, [&](uint32_t j) {
         if (!graph.is_there(j) || !is_junction(graph, j) || is_pinned(graph, j)) return;
         const auto number = static_cast<uint32_t>(junctions.all.size());
@@ -81,13 +112,18 @@ Task<void> find_clusters(Pace& pace, const BoneGraph& graph, Thresholds threshol
                 is_held = is_held || is_pinned(graph, walk.joint);
                 if (slice.is_over()) co_await pace;
             } while (graph.go_on(walk));
-            if (is_held) continue;
-            if (walk.joint < joint || !is_junction(graph, walk.joint)) continue;
-            if (walk.length >= of(thresholds, walk.part).merge) continue;
-            junctions.branches.push_back({joint, bone});
+            const RefinementThresholds& own = of(thresholds, walk.part);
+            const bool is_short = walk.length < own.merge;
+            const bool joins =
+                !is_held && is_junction(graph, walk.joint) && (is_short || are_hub(graph, joint, walk.joint, own.hub));
+            if (!joins && (is_junction(graph, walk.joint) || walk.length >= own.prune)) ++junctions.all[i].limbs;
+            if (!joins || walk.joint < joint) continue;
+            junctions.branches.push_back({joint, bone, walk.joint, is_short});
             junctions.unite(i, junctions.number_of[walk.joint]);
+            has_hubs = has_hubs || !is_short;
         }
     }
+    if (has_hubs) co_await keep_hubs(pace, junctions);
 }
 
 Task<void> merge_junctions(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
@@ -138,20 +174,23 @@ Task<void> merge_junctions(Pace& pace, Thresholds thresholds, BoneGraph& graph) 
     });
 }
 
-// How far an end's ball reaches beyond another one, by that one's radius.
-double reach_beyond(const BoneGraph::Joint& end, const BoneGraph::Joint& ball) {
-    return ((end.at - ball.at).norm() + end.radius - ball.radius) / ball.radius;
+// Whether a branch, from its end to where it begins, reaches beyond a ball by no more than a share of its radius: the
+// end's ball, and the joints on the way.
+Task<bool> bulges_only(Pace& pace, const BoneGraph& graph, uint32_t end, Vec3 centre, double radius, double share) {
+    const double most = (1 + share) * radius;
+    if ((graph.joints()[end].at - centre).norm() + graph.joints()[end].radius >= most) co_return false;
+    BoneGraph::Walk walk = graph.begin_walk(end, BoneGraph::bone_of(graph.first_end(end)));
+    Slice slice(Cost::tens_of_ns);
+    for (uint32_t at = walk.joint; graph.go_on(walk); at = walk.joint) {
+        if ((graph.joints()[at].at - centre).norm() >= most) co_return false;
+        if (slice.is_over()) co_await pace;
+    }
+    co_return true;
 }
 
 // What is short, or else what bulges. True if there was any.
 Task<bool> prune(Pace& pace, Thresholds thresholds, bool bulges, BoneGraph& graph) {
     std::pmr::vector<Branch> branches(pace.memory());
-    std::pmr::vector<uint32_t> widest(thresholds.size(), no_number, pace.memory());  // joint of each part
-    co_await each(pace, graph.joints().size(), Cost::some_ns, [&](uint32_t j) {
-        if (!graph.is_there(j) || graph.joints()[j].part >= widest.size()) return;
-        uint32_t& own = widest[graph.joints()[j].part];
-        if (own == no_number || graph.joints()[j].radius > graph.joints()[own].radius) own = j;
-    });
     Slice slice(Cost::tens_of_ns);
     for (uint32_t joint = 0; joint < graph.joints().size(); ++joint) {
         if (slice.is_over()) co_await pace;
@@ -165,9 +204,10 @@ Task<bool> prune(Pace& pace, Thresholds thresholds, bool bulges, BoneGraph& grap
         const RefinementThresholds& own = of(thresholds, walk.part);
         bool is_short = !bulges && walk.length < own.prune;
         if (bulges && own.bulge > 0 && walk.part != no_number) {
-            const BoneGraph::Joint& end = graph.joints()[joint];
-            is_short = reach_beyond(end, graph.joints()[walk.joint]) < own.bulge ||
-                       reach_beyond(end, graph.joints()[widest[walk.part]]) < own.bulge;
+            const BoneGraph::Joint& begin = graph.joints()[walk.joint];
+            is_short = co_await bulges_only(pace, graph, joint, begin.at, begin.radius, own.bulge);
+            if (!is_short && (begin.at - own.widest_at).norm() <= own.widest)
+                is_short = co_await bulges_only(pace, graph, joint, own.widest_at, own.widest, own.bulge);
         }
         if (!is_held && is_junction(graph, walk.joint) && is_short) branches.push_back({joint, walk.joint});
     }

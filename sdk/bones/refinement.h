@@ -7,8 +7,10 @@
 // - Collapsing: bones shorter than a threshold whose ends both have other bones are contracted, the shortest first, to
 //   the end that is a junction, else to the one with the larger radius.
 //
-// Departures: branches whose end reaches beyond the ball of their junction, or the largest one of their part, by less
-// than `bulge` of its radius are pruned too, until there is none: those of a round part's corners, which are no limbs.
+// Departures: branches that nowhere reach beyond the ball of their junction by more than `bulge` of its radius are
+// pruned too, until there is none, and those that begin within the widest ball of their part, by the same measure: those
+// of a round part's corners, which are no limbs. Junctions become one too where one is within `hub` of the other's
+// radius and five limbs or more leave them: a palm is one, for all its fingers.
 // Joints that are pinned stay as they are. Where an end on the mirror axis of its part and its mirror image could be
 // kept, that end is; and of several junctions as wide as each other, one on the axis or their middle. So mirror images
 // stay mirror images.
@@ -26,6 +28,9 @@ namespace flg {
 struct RefinementThresholds {
     double merge, prune, collapse;  // lengths in the model's space
     double bulge = 0;               // of a junction's radius
+    double hub = 0;                 // likewise
+    Vec3 widest_at = Vec3::Zero();  // the widest ball of a part alone
+    double widest = 0;              // its radius; 0: none
 };
 
 // thresholds[p] are those of part p, the last ones the model's. Both outlive the task.

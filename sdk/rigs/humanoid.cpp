@@ -95,7 +95,11 @@ void name_humanoid(const Rig& rig, FlgRigStandard standard, const char** names) 
     const uint32_t neck = rig.first(FLG_LIMB_NECK, 0), head = rig.first(FLG_LIMB_HEAD, 0);
     if (head == none) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no humanoid: it has no head");
     const uint32_t chest = rig.meet(left_arm.first, right_arm.first);
-    const uint32_t hips = rig.meet(rig.meet(rig.meet(left_leg.first, right_leg.first), chest), head);
+    const uint32_t legs = rig.meet(left_leg.first, right_leg.first), hips = rig.meet(rig.meet(legs, chest), head);
+    if (rig.meet(legs, chest) == chest && legs != chest)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "no humanoid: its legs hang below its arms: joint %u, where the legs meet, has to be the root",
+                      legs);
     if (hips == chest)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "no humanoid: its spine has no joint between hips and arms; a larger detail gives it more");

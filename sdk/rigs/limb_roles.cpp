@@ -28,7 +28,9 @@ constexpr double middle_width = 0.12;  // of limbs in the middle, on average
 // What hangs falls by this share of its length; what is level, by no more.
 constexpr double hanging = 0.5;
 constexpr double thick = 0.6;           // share of the root's radius that bones of a trunk have
-constexpr double symmetric = 0.7;       // share of tips with a mirror image
+constexpr double symmetric = 0.6;       // share of tips with a mirror image: all but two of five
+constexpr double ends_there = 0.5;      // how much two limbs count as arms beyond which there is no head
+constexpr double alike = 0.75;          // a limb by a longer one that it is the pair of, however they point
 constexpr double head_thickness = 0.8;  // share of its largest radius that the head's last joint has
 constexpr double height_counts = 0.3;   // of a head against its thickness
 
@@ -298,7 +300,7 @@ private:
     // Where the ways of two joints to the root meet, and how long they are.
     struct Meeting {
         uint32_t joint;
-        double shorter, above_trunk;
+        double shorter, longer, above_trunk;
     };
     Meeting meet(uint32_t a, uint32_t b) const {
         double length_a = 0, length_b = 0, above = 0;
@@ -312,19 +314,31 @@ private:
             }
         }
         for (uint32_t j = a; !is_trunk_[j]; j = skeleton_.parents[j]) above += bone(j);
-        return {a, std::min(length_a, length_b), above};
+        return {a, std::min(length_a, length_b), std::max(length_a, length_b), above};
     }
 
     void find_arms() {
+        // Arms that point to different places are found where none are mirrored.
+        if (!find_hands(true) && leg_count_ <= 2) find_hands(false);
+        if (chest_ == nothing) return;
+        hip_is_chest_ = is_trunk_[chest_] && (feet_[chest_] >= 2 || chest_ == root_);
+        mark_trunk(chest_);
+    }
+
+    bool find_hands(bool mirrored) {
         double best = 0;
         for (const uint32_t l : tips_) {
             if (is_taken_[l] || lateral_[elbow_of(l)] < arm_width * size_) continue;
             for (const uint32_t r : tips_) {
-                if (is_taken_[r] || lateral_[elbow_of(r)] > -arm_width * size_ || !are_mirrored(l, r)) continue;
+                if (is_taken_[r] || lateral_[elbow_of(r)] > -arm_width * size_) continue;
+                if (mirrored && !are_mirrored(l, r)) continue;
                 const Meeting meeting = meet(l, r);
                 if (meeting.shorter < shortest_arm * size_) continue;
+                if (!mirrored && meeting.shorter < alike * meeting.longer) continue;
                 if (leg_count_ > 2 && meeting.above_trunk > nearest_arm * size_) continue;
-                const double score = meeting.shorter - meeting.above_trunk / 2;
+                // Ears may be longer, but end it: on arms hangs a head.
+                const double score =
+                    (meeting.shorter - meeting.above_trunk / 2) * (goes_on(meeting.joint) ? 1 : ends_there);
                 if (score <= best) continue;
                 best = score;
                 hands_[0] = l;
@@ -332,9 +346,14 @@ private:
                 chest_ = meeting.joint;
             }
         }
-        if (chest_ == nothing) return;
-        hip_is_chest_ = is_trunk_[chest_] && (feet_[chest_] >= 2 || chest_ == root_);
-        mark_trunk(chest_);
+        return chest_ != nothing;
+    }
+
+    // Whether two other branches leave where two limbs meet.
+    bool goes_on(uint32_t meeting) const {
+        uint32_t branches = meeting == root_ ? 0 : 1;
+        visit_children(meeting, [&](uint32_t) { ++branches; });
+        return branches >= 4;
     }
 
     // Where an arm is farthest from the middle: hands may lie on the hips, or across the chest.

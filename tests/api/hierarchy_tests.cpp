@@ -100,6 +100,12 @@ protected:
     }
     Skeleton made(const std::vector<FlgModelPart>& parts) const { return made(desc_of(parts)); }
     Skeleton made(const Line& line) const { return made({part("drawn", smooth(line))}); }
+    // With the corners as they are.
+    Skeleton made_of_corners(const Line& line) const {
+        std::vector<double> points;
+        for (const auto& point : line) points.insert(points.end(), point.begin(), point.end());
+        return made({part("drawn", points)});
+    }
 
     std::string refused(const FlgModelDesc& desc) const {
         FlgModel model{};
@@ -212,6 +218,86 @@ TEST_F(Hierarchy, JointsLieInside) {
             EXPECT_TRUE(is_inside) << joint.name;
         }
     }
+}
+
+TEST_F(Hierarchy, AHeadThatIsWiderThanTheTrunkHasAJoint) {
+    struct Drawn {
+        Line line;
+        double neck;
+    };
+    for (const Drawn& drawn :
+         {Drawn{person_with_big_head(), 1.5}, Drawn{chibi(), 4.9}, Drawn{chibi_with_level_arms(), 4.3},
+          Drawn{chibi_with_ears(), 4.9}, Drawn{chibi_without_neck(), 4.8}}) {
+        for (const Skeleton& skeleton : {made(drawn.line), made_of_corners(drawn.line)}) {
+            EXPECT_LE(skeleton.asymmetry(0), 1e-6);
+            const auto is_head = [&](const Joint& joint) {
+                return std::abs(joint.at[0]) < 1e-6 * skeleton.size && joint.at[1] > drawn.neck &&
+                       !joint.parent.empty();
+            };
+            EXPECT_TRUE(std::any_of(skeleton.joints.begin(), skeleton.joints.end(), is_head)) << drawn.neck;
+            EXPECT_LE(skeleton.joints.size(), 24u);
+        }
+    }
+}
+
+TEST_F(Hierarchy, TheHemOfASkirtIsNoLimb) {
+    struct Drawn {
+        Line line;
+        double hem, legs;  // the hem's height; the legs below are so near to the middle
+    };
+    for (const Drawn& drawn : {Drawn{person_in_a_skirt(), 0.2, 0.22}, Drawn{person_in_a_dress(), 2.3, 1.8}}) {
+        for (const Skeleton& skeleton : {made(drawn.line), made_of_corners(drawn.line)}) {
+            uint32_t feet = 0;
+            for (const Joint& joint : skeleton.joints) {
+                const bool is_beside = std::abs(joint.at[0]) > drawn.legs && joint.at[1] < 1.6 * drawn.hem;
+                EXPECT_FALSE(is_beside) << joint.name << " " << joint.at[0] << " " << joint.at[1];
+                feet += joint.at[1] < drawn.hem / 2;
+            }
+            EXPECT_GE(feet, 2u);
+        }
+    }
+}
+
+TEST_F(Hierarchy, ASpineGoesOneWay) {
+    for (const Line& line : {person(), thin_person(), person_with_big_head(), person_in_a_skirt()}) {
+        for (const Skeleton& skeleton : {made(line), made_of_corners(line)}) {
+            // From joint to joint on the axis always up, or always down.
+            for (const Joint& joint : skeleton.joints) {
+                const Joint* parent = skeleton.find(joint.parent);
+                const Joint* before = parent ? skeleton.find(parent->parent) : nullptr;
+                if (!before) continue;
+                const double near = 1e-6 * skeleton.size;
+                if (std::abs(joint.at[0]) > near || std::abs(parent->at[0]) > near) continue;
+                EXPECT_GT((joint.at[1] - parent->at[1]) * (parent->at[1] - before->at[1]), 0) << joint.name;
+            }
+        }
+    }
+}
+
+TEST_F(Hierarchy, FingersAndWristHangOnThePalm) {
+    const Skeleton skeleton = made_of_corners(open_hand());
+    ASSERT_EQ(skeleton.roots().size(), 1u);
+    const Joint* palm = skeleton.find(skeleton.roots()[0]);
+    const std::array<double, 2> tips[] = {{0.5, 1.1}, {0.17, 1.35}, {-0.16, 1.4}, {-0.5, 1.2}, {-0.92, 0.46}};
+    std::set<std::string> limbs;
+    const auto limb_at = [&](const std::array<double, 2>& tip) {
+        const Joint* end = nullptr;
+        for (const Joint& joint : skeleton.joints)
+            if (!end || std::hypot(joint.at[0] - tip[0], joint.at[1] - tip[1]) <
+                            std::hypot(end->at[0] - tip[0], end->at[1] - tip[1]))
+                end = &joint;
+        uint32_t count = 1;
+        for (; end->parent != palm->name; end = skeleton.find(end->parent)) ++count;
+        limbs.insert(end->name);
+        return count;
+    };
+    for (const auto& tip : tips) {
+        const uint32_t joints = limb_at(tip);
+        EXPECT_GE(joints, 3u);
+        EXPECT_LE(joints, 4u);  // with one in the palm
+    }
+    limb_at({0, -1});
+    EXPECT_EQ(limbs.size(), 6u) << "five fingers and the wrist";
 }
 
 TEST_F(Hierarchy, EqualLimbsGetEqualNumbersOfJoints) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Axes of shapes: trees inside of them, and the slices across.
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "api/drawings.h"
+#include "bones/axis_stubs.h"
 #include "bones/parts.h"
 
 namespace flg::test {
@@ -49,6 +52,50 @@ TEST(AxisGraph, OfATriangleIsANode) {
     ASSERT_EQ(graph.nodes.size(), 1u);
     EXPECT_TRUE(graph.arcs.empty());
     EXPECT_NEAR(graph.nodes[0].clearance, 1 / std::sqrt(3.0), 1e-12);  // the incircle
+}
+
+AxisGraph without_stubs_of(const Contour& contour, bool haltingly) {
+    const AxisGraph graph = axis_of(contour, skeleton_of(contour));
+    return run_now(
+        memory(), [&](Pace& pace) { return without_stubs(pace, contour, graph); }, haltingly);
+}
+
+// A skirt, with a foot on either side: the axis leads to both feet, and to no corner of the hem.
+TEST(AxisStubs, CornersBesideALimbAreNone) {
+    Rings rings(1);
+    for (const auto& [x, y] : person_in_a_skirt()) rings[0].push_back({x, y});
+    const Contour gown = contour_of(rings);
+    const auto reaches = [](const AxisGraph& graph, auto is_there) {
+        return std::any_of(graph.nodes.begin(), graph.nodes.end(), [&](const AxisNode& n) { return is_there(n.at); });
+    };
+    const auto is_corner = [](const Point2& p) { return std::abs(p.x) > 0.25 && p.y < 0.5; };
+    const auto is_foot = [](const Point2& p) { return p.y < 0.1; };
+    ASSERT_TRUE(reaches(axis_of(gown, skeleton_of(gown)), is_corner));
+    for (const bool haltingly : {false, true}) {
+        const AxisGraph graph = without_stubs_of(gown, haltingly);
+        EXPECT_FALSE(reaches(graph, is_corner));
+        EXPECT_TRUE(reaches(graph, is_foot));
+        EXPECT_TRUE(is_connected(graph));
+        EXPECT_EQ(graph.arcs.size() + 1, graph.nodes.size());
+    }
+}
+
+// A palm with two fingers, and a short straight edge between them.
+TEST(AxisStubs, ValleysBetweenLimbsAreNone) {
+    const Contour palm = contour_of({{{-3, -6}, {3, -6}, {3, 9}, {0.4, 9}, {0.25, 0}, {-0.25, 0}, {-0.4, 9}, {-3, 9}}});
+    const AxisGraph graph = without_stubs_of(palm, false);
+    for (uint32_t n = 0; n < graph.nodes.size(); ++n) {
+        const Point2& at = graph.nodes[n].at;
+        EXPECT_FALSE(degree(graph, n) == 1 && std::abs(at.x) < 0.5 && at.y > -1.5) << at.x << " " << at.y;
+    }
+    EXPECT_TRUE(is_connected(graph));
+}
+
+TEST(AxisStubs, ShapesWithoutLimbsKeepTheirAxis) {
+    for (const Rings& rings : {rectangle, Rings{{{0, 0}, {4, 0}, {0, 3}}}}) {
+        const Contour contour = contour_of(rings);
+        EXPECT_EQ(without_stubs_of(contour, false).nodes.size(), axis_of(contour, skeleton_of(contour)).nodes.size());
+    }
 }
 
 TEST(AxisGraph, GoesIntoSharpTips) {

@@ -256,6 +256,44 @@ TEST(Refinement, PartsHaveThresholdsOfTheirOwn) {
     EXPECT_LT(joint_count(again), 7u);
 }
 
+// Three junctions in a palm, each within the next one's ball, with two fingers each.
+TEST(Refinement, JunctionsWithinEachOthersBallsAreOneWhereManyLimbsLeave) {
+    for (const uint32_t fingers : {1u, 2u}) {
+        BoneGraph graph(memory());
+        for (int i = 0; i < 3; ++i) graph.add_joint({1.5 * i, 0, 0}, 2, 0);
+        for (uint32_t i = 0; i < 2; ++i) graph.add_bone(i, i + 1, 0);
+        for (uint32_t i = 0; i < 3; ++i)
+            for (uint32_t k = 0; k < (i == 1 ? 1 : fingers); ++k)
+                graph.add_bone(i, graph.add_joint({1.5 * i, 8, 1.0 * k}, 0.5, 0), 0);
+        RefinementThresholds thresholds{0.1, 0.1, 0};
+        thresholds.hub = 1;
+        const uint32_t before = joint_count(graph);
+        refine(graph, thresholds, 1);
+        EXPECT_EQ(joint_count(graph), fingers == 1 ? before : before - 2);
+        expect_tree(graph);
+    }
+}
+
+TEST(Refinement, WhatNowhereBulgesIsPruned) {
+    // A ball with two stubs, a neck with a head that is wider than the ball.
+    BoneGraph graph(memory());
+    const uint32_t trunk = graph.add_joint({0, 0, 0}, 2, 0);
+    graph.add_bone(trunk, graph.add_joint({1.8, 0, 0}, 0.5, 0), 0);
+    graph.add_bone(trunk, graph.add_joint({-1.8, 0, 0}, 0.5, 0), 0);
+    const uint32_t neck = graph.add_joint({0, 2.5, 0}, 0.5, 0), head = graph.add_joint({0, 6, 0}, 3, 0);
+    graph.add_bone(trunk, neck, 0);
+    graph.add_bone(neck, head, 0);
+    graph.add_bone(trunk, graph.add_joint({0, -6, 0}, 1, 0), 0);
+    RefinementThresholds thresholds{0.1, 0.1, 0};
+    thresholds.bulge = 0.25;
+    thresholds.widest_at = graph.joints()[head].at;
+    thresholds.widest = graph.joints()[head].radius;
+    refine(graph, thresholds, 1);
+    EXPECT_EQ(joint_count(graph), 4u);
+    EXPECT_TRUE(graph.is_there(head)) << "it is the widest itself";
+    expect_tree(graph);
+}
+
 TEST(Refinement, OfRandomTreesLeavesATree) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> at(-1, 1), share(0, 0.6);

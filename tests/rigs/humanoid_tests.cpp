@@ -109,6 +109,18 @@ TEST(Humanoid, SaysWhatIsMissing) {
     EXPECT_NE(refusal(stiff), "");
 }
 
+// The same skeleton from the chest on: engines would turn the legs with the spine.
+TEST(Humanoid, SaysThatItsHipsAreToBeTheRoot) {
+    Figure f;
+    const uint32_t chest = f.add("chest", {0, 1.45, 0}, FLG_NO_INDEX, 0.15);
+    const uint32_t spine = f.add("spine", {0, 1.2, 0}, chest, 0.15), hips = f.add("hips", {0, 1, 0}, spine, 0.15);
+    f.add_path("head", chest, {{0, 1.55, 0}, {0, 1.7, 0}}, 0.08);
+    f.add_pair("arm", chest, {{0.2, 1.4, 0}, {0.45, 1.25, 0}, {0.65, 1.05, 0}, {0.7, 1.0, 0}}, 0.04);
+    f.add_pair("leg", hips, {{0.12, 0.95, 0}, {0.12, 0.5, 0.02}, {0.12, 0.08, 0}, {0.12, 0.02, 0.12}}, 0.06);
+    EXPECT_EQ(refusal(f),
+              "no humanoid: its legs hang below its arms: joint 2, where the legs meet, has to be the root");
+}
+
 TEST(Humanoid, InATPoseArmsAreLevelAndTheRestStays) {
     const FigureRig rig(human());
     const uint32_t count = rig.rig().count();

@@ -40,6 +40,29 @@ TEST(LimbRoles, AHumanFromTheFront) {
     EXPECT_EQ(rig.joint("arm.R_2").place, FLG_LIMB_PLACE_END);
 }
 
+// One arm up, the other one bent: no mirror images of each other.
+TEST(LimbRoles, ArmsThatPointToDifferentPlaces) {
+    Figure waves = human();
+    waves.at[waves.find("arm.L_1")] = {0.4, 1.6, 0};
+    waves.at[waves.find("arm.L_2")] = {0.45, 1.9, 0};
+    waves.at[waves.find("arm.L_3")] = {0.47, 1.97, 0};
+    waves.at[waves.find("arm.R_2")] = {-0.25, 1.1, 0};
+    waves.at[waves.find("arm.R_3")] = {-0.18, 1.08, 0};
+    expect_human(FigureRig(waves));
+}
+
+// Ears that are longer than the arms.
+TEST(LimbRoles, EarsAreNoArms) {
+    Figure rabbit = human();
+    rabbit.add_pair("ear", rabbit.find("head_1"), {{0.1, 1.9, 0}, {0.2, 2.4, 0}, {0.3, 2.9, 0}}, 0.03);
+    const FigureRig rig(rabbit);
+    for (const char* name : {"hips", "spine_0", "spine_1"}) expect_limb(rig, name, FLG_LIMB_TRUNK);
+    expect_limb(rig, "head_1", FLG_LIMB_HEAD);
+    expect_limb(rig, "arm.L_2", FLG_LIMB_ARM, 1);
+    expect_limb(rig, "arm.R_2", FLG_LIMB_ARM, -1);
+    expect_limb(rig, "ear.L_2", FLG_LIMB_OTHER, 1);
+}
+
 // Hands on the hips, and hands crossed over the chest.
 TEST(LimbRoles, ArmsThatBendBackToTheMiddle) {
     for (const double hand : {0.05, -0.15}) {

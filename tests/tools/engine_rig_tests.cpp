@@ -2,6 +2,7 @@
 // filigree skeleton for engines: bones by a standard's names, T-poses, test motions, refusals.
 #include <cmath>
 
+#include "api/drawings.h"
 #include "cli_test.h"
 #include "filigree/filigree_io.h"
 
@@ -27,6 +28,19 @@ constexpr const char* stout = R"({
     [0.45, 2.4], [0.45, 2.8], [0, 3.05], [-0.45, 2.8], [-0.45, 2.4], [-0.3, 2.15], [-0.32, 2.05], [-0.7, 2.0],
     [-1.55, 1.78], [-1.62, 1.62], [-1.5, 1.42], [-0.75, 1.62], [-0.72, 1.3], [-0.7, 0.8], [-0.66, 0.12], [-0.62, 0],
     [-0.22, 0], [-0.2, 0.1]]}]
+})";
+
+// One arm up, the other hand on the hip.
+constexpr const char* waving = R"({
+  "parts": [{"name": "waving", "contour": [[-0.227, 0.025], [-0.2, 0.001], [-0.125, 0.005], [-0.082, 0.025],
+    [-0.071, 0.05], [-0.053, 0.55], [-0.031, 0.775], [0, 0.816], [0.032, 0.775], [0.053, 0.55], [0.071, 0.05],
+    [0.082, 0.025], [0.125, 0.005], [0.2, 0.001], [0.227, 0.025], [0.225, 0.057], [0.175, 0.092], [0.162, 0.125],
+    [0.186, 0.9], [0.13, 1.1], [0.175, 1.297], [0.25, 1.344], [0.419, 1.575], [0.485, 1.925], [0.45, 1.955], [0.425,
+    1.943], [0.373, 1.775], [0.3, 1.593], [0.195, 1.475], [0.125, 1.441], [0.075, 1.447], [0.065, 1.475], [0.139,
+    1.6], [0.115, 1.7], [0.025, 1.758], [-0.075, 1.738], [-0.125, 1.682], [-0.14, 1.625], [-0.121, 1.55], [-0.065,
+    1.475], [-0.072, 1.45], [-0.225, 1.44], [-0.469, 1.175], [-0.469, 1.125], [-0.325, 0.926], [-0.3, 0.915],
+    [-0.265, 0.95], [-0.342, 1.1], [-0.347, 1.15], [-0.2, 1.286], [-0.175, 1.289], [-0.16, 1.25], [-0.13, 1.1],
+    [-0.186, 0.9], [-0.162, 0.125], [-0.175, 0.092], [-0.225, 0.057]]}]
 })";
 
 class RigCommand : public Cli {
@@ -141,6 +155,51 @@ TEST_F(RigCommand, TheOutlineOfAPersonIsAHumanoid) {
     for (const Json& joint : report("bones.json")["joints"])
         in_the_middle += std::hypot(joint["position"][0].get<double>(), joint["position"][1].get<double>()) < 1;
     EXPECT_LE(in_the_middle, 1u);  // or no joint there: the root is the middle of two arms
+}
+
+// Outlines with heads wider than the trunk, in skirts: humanoids as they are drawn, from the hips up.
+TEST_F(RigCommand, PeopleWithLargeHeadsAndInSkirtsAreHumanoids) {
+    const std::map<std::string, Line> drawn = {{"big_head", person_with_big_head()},    {"chibi", chibi()},
+                                               {"level_arms", chibi_with_level_arms()}, {"ears", chibi_with_ears()},
+                                               {"no_neck", chibi_without_neck()},       {"skirt", person_in_a_skirt()},
+                                               {"dress", person_in_a_dress()},          {"thin", thin_person()}};
+    for (const auto& [name, line] : drawn) {
+        Json json = {{"parts", {{{"name", name}, {"curve", line}}}}};
+        folder.write("person.json", json.dump());
+        const Written vrm = written({"--rig", "vrm"});
+        double top = -1e300, bottom = 1e300;
+        for (const auto& point : line) top = std::max(top, point[1]), bottom = std::min(bottom, point[1]);
+        const double height = top - bottom;
+        EXPECT_GT(vrm.at("head")[1], bottom + 0.6 * height) << name;
+        EXPECT_GT(vrm.at("head")[1], vrm.at("leftUpperArm")[1]) << name;
+        EXPECT_GT(vrm.at("leftUpperArm")[1], vrm.at("hips")[1]) << name;
+        EXPECT_LT(vrm.at("hips")[1], bottom + 0.55 * height) << name;
+        EXPECT_LE(vrm.at("leftUpperLeg")[1], vrm.at("hips")[1] + 1e-5) << name;
+        EXPECT_LT(vrm.at("leftFoot")[1], bottom + 0.15 * height) << name;
+        EXPECT_NEAR(vrm.at("leftHand")[0], -vrm.at("rightHand")[0], 1e-5 * height) << name;
+        // The hips are the root, so that engines can take all below for the legs.
+        written({"--rig", "unity", "--motion", "walk", "--t-pose"});
+        written({"--rig", "unreal"});
+    }
+}
+
+TEST_F(RigCommand, ArmsNeedNotBeMirrorImages) {
+    folder.write("person.json", waving);
+    for (const char* standard : {"unity", "vrm", "unreal"}) written({"--rig", standard, "--t-pose"});
+    const Written unity = written({"--rig", "unity"});
+    EXPECT_GT(unity.at("LeftHand")[1], unity.at("Neck")[1]);
+    EXPECT_LT(unity.at("RightHand")[1], unity.at("RightLowerArm")[1]);
+}
+
+TEST_F(RigCommand, ARootThatTheDrawingNamesStays) {
+    Json json = {{"parts", {{{"name", "chibi"}, {"curve", chibi()}}}}};
+    folder.write("chibi.json", json.dump());
+    done({"skeleton", "chibi.json", "--bones", "bones.json", "--quiet"});
+    const std::string root = report("bones.json")["joints"][0]["key"];
+    json["root_joint"] = root;
+    folder.write("chibi.json", json.dump());
+    expect_refused({"skeleton", "chibi.json", "-o", "a.glb", "--rig", "vrm", "--quiet"}, 1,
+                   {"chibi.json: no humanoid: its legs hang below its arms", "has to be the root"});
 }
 
 TEST_F(RigCommand, AnAvatarHasAnAuthor) {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // filigree skeleton: drawings by hand and plain contours, bones as JSON, models as glTF, refusals.
+#include <array>
 #include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
 
+#include "api/drawings.h"
 #include "cli_test.h"
 
 namespace flg::test {
@@ -131,8 +136,65 @@ TEST_F(SkeletonCommand, MeshesArePartsByTheirSilhouettes) {
 
 TEST_F(SkeletonCommand, CrossingsAreRepairedOnRequest) {
     folder.write("knot.poly.txt", "0 0\n6 6\n6 0\n0 6\n-2 3\n");
-    expect_refused({"skeleton", "knot.poly.txt", "--bones", "out.json"}, 1, {"cross at (3, 3)"});
+    expect_refused({"skeleton", "knot.poly.txt", "--bones", "out.json"}, 1,
+                   {"cross at (3, 3); --repair takes the largest piece within"});
     EXPECT_GE(bones({"knot.poly.txt", "--repair"}).at("joints").size(), 1u);
+}
+
+// A hand that is drawn again a little to the side: what did not go away keeps its name, from run to run.
+TEST_F(SkeletonCommand, NamesLastWhenALimbMoves) {
+    const auto named = [&](double hand, const std::vector<std::string>& more) {
+        Line line = person();
+        for (auto& point : line)
+            if (point[0] > 3 && point[1] < 5.2) point[0] += hand, point[1] += hand / 2;
+        folder.write("person.json", Json{{"parts", {{{"name", "person"}, {"curve", line}}}}}.dump());
+        std::vector<std::string> arguments = {"person.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        std::map<std::string, std::array<double, 2>> out;
+        for (const Json& joint : bones(arguments).at("joints"))
+            out[joint.at("name")] = {joint.at("position")[0], joint.at("position")[1]};
+        return out;
+    };
+    const auto first = named(0, {});
+    folder.write("before.json", folder.read("bones.json"));
+    uint32_t moved = 0;
+    for (int step = 1; step <= 4; ++step) {
+        const auto now = named(0.15 * step, {"--previous", "before.json"});
+        folder.write("before.json", folder.read("bones.json"));
+        for (const auto& [name, at] : now) {
+            const auto was = first.find(name);
+            if (was == first.end()) continue;
+            EXPECT_LT(std::hypot(at[0] - was->second[0], at[1] - was->second[1]), 1.6) << name << " " << step;
+            moved += at != was->second;
+        }
+        EXPECT_GE(now.size() + 2, first.size());
+    }
+    EXPECT_GT(moved, 0u);
+    done({"skeleton", "person.json", "-o", "person.glb", "--vertices", "500", "--previous", "before.json", "--quiet"});
+    for (const auto& [name, at] : named(0.6, {"--previous", "before.json"}))
+        EXPECT_NE(done({"info", "person.glb"}).out.find(name), std::string::npos) << name;
+    folder.write("no.json", R"({"joints": []})");
+    expect_refused({"skeleton", "person.json", "--bones", "b.json", "--previous", "no.json"}, 1, {"no.json: bones"});
+    expect_refused({"skeleton", "person.json", "--bones", "b.json", "--previous", "none.json"}, 1, {"none.json"});
+}
+
+// As maps have them, in metres from the equator.
+TEST_F(SkeletonCommand, DrawingsMayLieFarFromTheOrigin) {
+    const std::vector<std::array<double, 2>> near = {{-3, -1}, {0, -1.2}, {3, -1}, {3, 1}, {0, 0.8}, {-3, 1}};
+    const auto written = [&](double x, double y) {
+        std::ostringstream text;
+        text << std::setprecision(17);
+        for (const auto& point : near) text << x + point[0] << " " << y + point[1] << "\n";
+        folder.write("bar.poly.txt", text.str());
+        done({"skeleton", "bar.poly.txt", "-o", "bar.glb", "--vertices", "500", "--quiet"});
+        return bones({"bar.poly.txt"}).at("joints");
+    };
+    const Json here = written(0, 0), there = written(1e7, -2e7);
+    ASSERT_EQ(here.size(), there.size());
+    for (size_t j = 0; j < here.size(); ++j) {
+        EXPECT_NEAR(there[j].at("position")[0].get<double>() - 1e7, here[j].at("position")[0].get<double>(), 1e-5);
+        EXPECT_NEAR(there[j].at("position")[1].get<double>() + 2e7, here[j].at("position")[1].get<double>(), 1e-5);
+    }
 }
 
 TEST_F(SkeletonCommand, ThresholdsMakeItCoarser) {

@@ -13,6 +13,7 @@
 #include "documents/rig_quality.h"
 #include "documents/text_file.h"
 #include "filigree/filigree_io.h"
+#include "lasting_names.h"
 #include "mesh_model.h"
 #include "mesh_outline_part.h"
 #include "pulled_skin.h"
@@ -27,7 +28,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
     std::vector<std::string> contours;
     std::string mesh;  // instead of contours
-    std::string output, bones;
+    std::string output, bones, previous;
     std::optional<float> simplify, merge, prune, collapse, detail;
     std::string root;
     std::vector<std::string> apart, depths;
@@ -101,18 +102,19 @@ const char* limb_name(FlgLimb limb) {
     return names[limb];
 }
 
-Json bones_json(const FlgModelView& view, const FlgRig* rig) {
+Json bones_json(const FlgModelView& view, const ModelDrawing& drawing, const FlgRig* rig) {
     static constexpr const char* events[] = {"root", "bone_split", "joint_connect"};
     const auto number = [](uint32_t index) { return index == FLG_NO_INDEX ? Json(nullptr) : Json(index); };
     Json joints = Json::array(), parts = Json::array();
     for (size_t j = 0; j < view.joint_count; ++j) {
-        const float* p = view.joint_positions + 3 * j;
+        std::array<double, 3> at;
+        for (size_t k = 0; k < 3; ++k) at[k] = double{view.joint_positions[3 * j + k]} + view.origin[k];
         const double* place = view.joint_places + 3 * j;
         joints.push_back({{"name", view.joint_names[j]},
                           {"key", view.joint_keys[j]},
                           {"parent", number(view.joint_parents[j])},
                           {"part", view.joint_parts[j]},
-                          {"position", {p[0], p[1], p[2]}},
+                          {"position", at},
                           {"radius", view.joint_radii[j]},
                           {"place", {place[0], place[1], place[2]}},
                           {"pinned", view.joint_pinned[j] != 0}});
@@ -122,7 +124,8 @@ Json bones_json(const FlgModelView& view, const FlgRig* rig) {
         joints.back()["pair"] = rig->joints[j].pair;
     }
     for (size_t p = 0; p < view.part_count; ++p) {
-        parts.push_back({{"event", events[view.part_events[p]]},
+        parts.push_back({{"name", drawing.parts[view.part_sources[p]].name},
+                         {"event", events[view.part_events[p]]},
                          {"parent", number(view.part_parents[p])},
                          {"joint", view.part_joints[p]},
                          {"source", view.part_sources[p]},
@@ -281,7 +284,7 @@ void write_bones(const Options& options, const std::string& subject, const Model
     if (options.bones.empty()) return;
     std::optional<ModelRig> rig;
     if (view.joint_count <= FLG_RIG_MAX_JOINTS) rig.emplace(view.joint_positions, view, left_of(drawing), subject);
-    write_text_file(options.bones, bones_json(view, rig ? &rig->rig() : nullptr).dump(1) + "\n");
+    write_text_file(options.bones, bones_json(view, drawing, rig ? &rig->rig() : nullptr).dump(1) + "\n");
 }
 
 // An edit waits for its joint while somebody draws; in a file that is read once it is one of no joint.
@@ -294,6 +297,41 @@ void warn_of_vain_edits(const ModelDrawing& drawing, const FlgModelView& view, c
                                           [&](const char* key) { return edit.joint == key; });
         if (!is_there) report.warn(subject + ": joints: the model has no joint " + edit.joint + "; its edit waits");
     }
+}
+
+FlgModel drawn_model(const Options& options, Session& session, const ModelDrawing& drawing, Report& report) {
+    try {
+        return make_drawn_model(session, drawing, options.contours[0], report);
+    } catch (const InputError& error) {
+        const std::string what = error.what();
+        if (options.repair || what.find(" cross at ") == std::string::npos) throw;
+        throw InputError(what + "; --repair takes the largest piece within");
+    }
+}
+
+uint32_t where_they_meet(const FlgModelView& view, uint32_t a, uint32_t b) {
+    while (a != b && std::max(a, b) != FLG_NO_INDEX) (a > b ? a : b) = view.joint_parents[std::max(a, b)];
+    return std::max(a, b);
+}
+
+// Standards want the hips to be the root, where the legs meet; the middle of a trunk may be higher up, with a large head
+// as high as the chest. Returns whether the drawing was changed; a root that it names stays.
+bool begin_at_hips(const FlgModelView& view, const std::string& subject, ModelDrawing& drawing) {
+    if (!drawing.root.empty() || !drawing.root_joint.empty() || view.joint_count > FLG_RIG_MAX_JOINTS) return false;
+    const ModelRig rig(view.joint_positions, view, left_of(drawing), subject);
+    const auto meeting = [&](FlgLimb limb) {
+        uint32_t at = FLG_NO_INDEX;
+        for (uint32_t j = 0; j < view.joint_count; ++j)
+            if (rig.rig().joints[j].limb == limb && rig.rig().joints[j].index == 0)
+                at = at == FLG_NO_INDEX ? j : where_they_meet(view, at, j);
+        return at;
+    };
+    const uint32_t hips = meeting(FLG_LIMB_LEG), chest = meeting(FLG_LIMB_ARM);
+    if (rig.rig().leg_count != 2 || chest == FLG_NO_INDEX || hips == FLG_NO_INDEX) return false;
+    if (where_they_meet(view, hips, chest) == hips) return false;
+    drawing.root = drawing.parts[view.part_sources[view.joint_parts[hips]]].name;
+    drawing.root_joint = view.joint_keys[hips];
+    return true;
 }
 
 void run_skeleton(Options options, const CommonOptions& common) {
@@ -331,8 +369,10 @@ void run_skeleton(Options options, const CommonOptions& common) {
             options.asks_vertices || !options.picture.box.empty())
             throw UsageError(
                 "--vertices, --lod, --sharp, --texture: are of drawn models; --mesh keeps the mesh as it is");
-        if (!options.depths.empty() || !options.apart.empty() || !options.root.empty() || options.repair)
-            throw UsageError("--depth, --apart, --root, --repair: are of drawn models; a mesh has no parts");
+        if (!options.depths.empty() || !options.apart.empty() || !options.root.empty() || options.repair ||
+            !options.previous.empty())
+            throw UsageError(
+                "--depth, --apart, --root, --repair, --previous: are of drawn models; a mesh has no parts");
         FlgBoneThresholds thresholds;
         flgBoneThresholdsInit(&thresholds, sizeof thresholds);
         set_thresholds(options, thresholds);
@@ -350,15 +390,26 @@ void run_skeleton(Options options, const CommonOptions& common) {
         if (!options.picture.box.empty() && options.picture.file.empty())
             throw UsageError("--texture-box: needs a picture, by --texture or in the drawing");
         if (!options.picture.file.empty()) place_picture(options.picture, drawing);
-        const FlgModel model = make_drawn_model(session, drawing, subject, report);
+        FlgModel model = drawn_model(options, session, drawing, report);
         FlgModelView view = flgModelViewDefaults();
         check(flgModelGetView(session.context(), model, &view), subject);
+        if (options.rig.standard && begin_at_hips(view, subject, drawing)) {
+            model = drawn_model(options, session, drawing, report);
+            check(flgModelGetView(session.context(), model, &view), subject);
+        }
         warn_of_vain_edits(drawing, view, subject, report);
+        std::optional<LastingNames> names;
+        if (!options.previous.empty()) {
+            names.emplace(options.previous, view, drawing);
+            view.joint_names = names->pointers();
+        }
         write_bones(options, subject, drawing, view, report);
-        if (has_skin)
-            write_skin(options, subject, drawing, view,
-                       make_drawn_skin(options, session, model, looks_of(options.picture, drawing, view), report),
-                       is_reported, session, report);
+        if (has_skin) {
+            Made made = make_drawn_skin(options, session, model, looks_of(options.picture, drawing, view), report);
+            made.skin.joint_names = view.joint_names;
+            for (FlgSkinView& level : made.levels) level.joint_names = view.joint_names;
+            write_skin(options, subject, drawing, view, made, is_reported, session, report);
+        }
     }
     report.write();
 }
@@ -410,6 +461,11 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
         ->delimiter(',')
         ->type_name("X,Y,Z");
     command->add_option("--bones", options->bones, "The joints, and how parts hang together")->type_name("BONES.json");
+    command
+        ->add_option("--previous", options->previous,
+                     "The joints of an earlier run, as --bones wrote them: joints of parts of the same name that are "
+                     "still there keep their names")
+        ->type_name("BONES.json");
     const auto threshold = [&](const char* name, std::optional<float>& value, const char* text) {
         command->add_option(name, value, text)->check(CLI::Range(0.0f, 10.0f));
     };
