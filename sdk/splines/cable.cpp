@@ -16,8 +16,8 @@ namespace {
 
 constexpr double depth_tolerance = 1e-6;  // of the scene's size: how deep a cable may be beside its ends
 constexpr double rest_share = 0.5;        // of that: so far above solids it is laid
-constexpr double first_stiffness = 100, most_stiffness = 3e4, stiffer = 4;  // of the tension over a segment
-constexpr double length_tolerance = 1e-9;                                   // of a segment
+constexpr double first_stiffness = 100, most_stiffness = 2e3, stiffer = 4;  // of the tension over a segment
+constexpr double length_tolerance = 3e-9;                                   // of a segment
 constexpr double contact_tolerance = 0.1;                                   // of the height that it is laid above
 constexpr double first_force = 1e-2, force_tolerance = 1e-6;                // of the weight of a segment
 constexpr double least_damping = 1e-12, first_damping = 1e-5;               // of the tension over a segment
@@ -30,7 +30,7 @@ constexpr double least_folded = 1e-7;                    // of the length: more 
 constexpr uint32_t most_planes = 6;                      // of a piece
 constexpr double reach_share = 0.1;                      // of the length
 constexpr double step_share = 0.25, move_share = 0.5;    // of the reach
-constexpr uint32_t settle_rounds = 20;
+constexpr uint32_t settle_rounds = 24, again_rounds = 2;
 constexpr double move_tolerance = 1e-5;  // of a segment
 
 using ForceRates = Eigen::Matrix3d;
@@ -588,18 +588,24 @@ Task<HungCable> hang_cable(Pace& pace, const ObstacleSet* obstacles, Vec3 from, 
         chain.contacts.emplace_back().margin = is_end ? 0 : rest;
     });
     double before = HUGE_VAL, wanted = first_force * chain.length;
-    for (uint32_t round = 0; round < multiplier_rounds; ++round) {
-        co_await place_planes(pace, chain);
+    // Planes that are placed anew turn with the chain, so it goes on to move; in the end they stay.
+    for (uint32_t round = 0, placed = 0; round < multiplier_rounds; ++round) {
+        if (placed < settle_rounds) {
+            co_await place_planes(pace, chain);
+            ++placed;
+        }
         const auto [unbalanced, moved] = co_await descend_chain(pace, chain, wanted, out.rounds);
-        if (moved > move_share * chain.reach) continue;
+        if (moved > move_share * chain.reach) {
+            placed -= placed > 0 ? 1 : 0;
+            continue;
+        }
         const double worst = co_await take_multipliers(pace, chain, rest);
         if (unbalanced <= wanted && worst > 0.25 * before && chain.stiffness < most_stiffness * tension / chain.length)
             chain.stiffness *= stiffer;
         before = worst;
         wanted = std::max(0.1 * wanted, force_tolerance * chain.length);
         if (worst > 1 || unbalanced > force_tolerance * chain.length) continue;
-        // On edges of meshes planes may go on to turn; what counts is that all keeps above.
-        if (moved > move_tolerance * chain.length && round < settle_rounds) continue;
+        if (moved > move_tolerance * chain.length && placed < settle_rounds) continue;
         if (!chain.is_equal && chain_length(chain.places) < length * (1 - least_folded)) {
             co_await fold_loose(pace, chain, tension);
             before = HUGE_VAL;
@@ -612,6 +618,7 @@ Task<HungCable> hang_cable(Pace& pace, const ObstacleSet* obstacles, Vec3 from, 
             co_return out;
         }
         keep_farther(chain, breaches, rest);
+        placed = std::min(placed, settle_rounds - again_rounds);
         before = HUGE_VAL;
     }
     breaches = co_await find_breaches(pace, *obstacles, chain.places, slack);

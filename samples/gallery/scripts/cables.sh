@@ -5,8 +5,8 @@ set -euo pipefail
 # Hills, masts on them, and what hangs from these: a point a mast for each of three wires.
 awk 'function bump(x, y, a, b, c) { return exp(-((x - a) ^ 2 + (y - b) ^ 2) / c) }
 function height(x, y) {
-    return 9 * bump(x, y, 32, 24, 320) + 7 * bump(x, y, 84, -6, 420) + 6 * bump(x, y, 4, -14, 200) +
-        5 * bump(x, y, 56, -20, 240) + 0.5 * sin(0.21 * x) * sin(0.17 * y)
+    z = 9 * bump(x, y, 32, 24, 320) + 7 * bump(x, y, 84, -6, 420) + 6 * bump(x, y, 4, -14, 200)
+    return z + 5 * bump(x, y, 56, -20, 240) + 0.5 * sin(0.21 * x) * sin(0.17 * y)
 }
 function line(file, x1, y1, z1, x2, y2, z2) { printf "%.4f %.4f %.4f\n%.4f %.4f %.4f\n\n", x1, y1, z1, x2, y2, z2 > file }
 BEGIN {
@@ -64,7 +64,7 @@ awk 'BEGIN {
 cat > picture.json <<'END'
 {"size": [960, 400], "columns": 2,
  "panels": [
-  {"title": "Three wires of four spans: catenaries", "camera": [-28, 14], "margin": 0.9, "ground": false, "show": [
+  {"title": "Three wires of four spans: catenaries", "camera": [-28, 14], "margin": 1, "ground": false, "aim": [[-4, -8, 0], [98, 0, 4], [0, 8, 14], [98, 8, 20]], "show": [
    {"file": "hills.obj", "border": 0, "regions": [
     {"color": "#5d7a55", "roughness": 0.9}, {"color": "#67845a", "roughness": 0.9}, {"color": "#728d60", "roughness": 0.9},
     {"color": "#7f9767", "roughness": 0.9}, {"color": "#8fa06f", "roughness": 0.9}, {"color": "#a0a879", "roughness": 0.9},

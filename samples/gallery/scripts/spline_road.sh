@@ -6,14 +6,16 @@ set -euo pipefail
 awk 'function bump(x, y, a, b, c) { return exp(-((x - a) ^ 2 + (y - b) ^ 2) / c) }
 function rough(x, y) { return sin(7.3 * x + 2 * sin(3.1 * y)) * sin(6.1 * y + 1.7 * sin(4.3 * x)) }
 function height(x, y) {
-    return 1.25 * bump(x, y, -3.3, 1.7, 2.6) + 1.5 * bump(x, y, 2.3, 2.2, 2.4) + 0.95 * bump(x, y, 0.4, -2, 2.2) +
-        0.8 * bump(x, y, 5.2, -2.2, 2.5) + 0.7 * bump(x, y, -5.3, -2.3, 2.2) + 0.3 * bump(x, y, 5.6, 2.4, 1.2) +
-        0.1 * sin(1.3 * x + 0.5) * sin(1.1 * y) + 0.014 * rough(x, y) * (1 + 0.5 * rough(2.3 * y, 1.9 * x))
+    z = 1.25 * bump(x, y, -3.3, 1.7, 2.6) + 1.5 * bump(x, y, 2.3, 2.2, 2.4) + 0.95 * bump(x, y, 0.4, -2, 2.2)
+    z += 0.8 * bump(x, y, 5.2, -2.2, 2.5) + 0.7 * bump(x, y, -5.3, -2.3, 2.2) + 0.3 * bump(x, y, 5.6, 2.4, 1.2)
+    z += 1.1 * bump(x, y, -0.6, 4.6, 2.8) + 1.3 * bump(x, y, 6.2, 4.8, 3) + 0.9 * bump(x, y, -6.8, 4.4, 3)
+    z += 0.1 * sin(1.3 * x + 0.5) * sin(1.1 * y)
+    return z + 0.014 * rough(x, y) * (1 + 0.5 * rough(2.3 * y, 1.9 * x))
 }
 BEGIN {
-    nx = 260; ny = 150; bands = 12
+    nx = 340; ny = 220; bands = 30
     for (j = 0; j <= ny; ++j) for (i = 0; i <= nx; ++i) {
-        x = -6.5 + 13 * i / nx; y = -3.75 + 7.5 * j / ny
+        x = -8.5 + 17 * i / nx; y = -6 + 12 * j / ny
         h[i, j] = height(x, y)
         printf "v %.5f %.5f %.5f\n", x, y, h[i, j]
     }
@@ -25,7 +27,7 @@ BEGIN {
     }
     for (band = 0; band < bands; ++band) printf "usemtl band%d\n%s", band, faces[band]
 }' > hills.obj
-printf '%s\n' '-6.45 -0.6 0' '-4.4 -0.5 0' '-2.6 -0.9 0' '-1.2 0.5 0' '0.2 1.5 0' '1.1 0.2 0' '2.7 -0.5 0' '3.5 -1.6 0' '4.4 0.1 0' '6.45 0.7 0' > places.xyz
+printf '%s\n' '-8.4 -0.9 0' '-5.6 -0.4 0' '-3 -0.9 0' '-1.3 0.6 0' '0.1 1.6 0' '1 0.2 0' '2.6 -0.5 0' '3.7 -1.1 0' '4.6 -0.1 0' '5.3 1.1 0' '8.4 1 0' > places.xyz
 
 along() { filigree spline hills.obj places.xyz --smoothing-scale 0.25 --quiet "$@"; }
 along -o middle.xyz --on-mesh --height 0.03 --road 0.36 --road-output road.obj --road-height 0.02 --road-spacing 0.04 --road-columns 8
@@ -41,15 +43,21 @@ awk '{
     was = now
 }' middle.xyz > dashes.xyz
 
-cat > picture.json <<'END'
-{"size": [960, 520],
- "all": {"camera": [-14, 38], "margin": 0.83, "ground": false},
+# From meadows to snow, a colour a band.
+awk 'function part(a, b, t, k) { return int(a[k] + t * (b[k] - a[k]) + 0.5) }
+BEGIN {
+    stops = split("84 116 82,112 141 95,156 168 118,186 178 146,198 182 164,240 237 232", stop, ",")
+    for (band = 0; band < 30; ++band) {
+        at = band / 29 * (stops - 1.001); first = int(at)
+        split(stop[first + 1], a, " "); split(stop[first + 2], b, " ")
+        printf "%s{\"color\": \"#%02x%02x%02x\", \"roughness\": 0.9}", band ? ", " : "", part(a, b, at - first, 1), part(a, b, at - first, 2), part(a, b, at - first, 3)
+    }
+}' > colors.json
+cat > picture.json <<END
+{"size": [960, 480],
+ "all": {"camera": [-16, 27], "margin": 1, "ground": false, "aim": [[-4.9, -2, 0], [4.9, -2, 0], [-4.6, 1.8, 0.9], [5, 2, 0.9]]},
  "panels": [{"show": [
-  {"file": "hills.obj", "border": 0, "regions": [
-   {"color": "#5d7a55", "roughness": 0.9}, {"color": "#67845a", "roughness": 0.9}, {"color": "#728d60", "roughness": 0.9},
-   {"color": "#7f9767", "roughness": 0.9}, {"color": "#8fa06f", "roughness": 0.9}, {"color": "#a0a879", "roughness": 0.9},
-   {"color": "#b0ae85", "roughness": 0.9}, {"color": "#bcb194", "roughness": 0.9}, {"color": "#c4b5a1", "roughness": 0.9},
-   {"color": "#cfc2b3", "roughness": 0.9}, {"color": "#dfd7cd", "roughness": 0.9}, {"color": "#f0ede8", "roughness": 0.9}]},
+  {"file": "hills.obj", "border": 0, "regions": [$(cat colors.json)]},
   {"file": "road.obj", "color": "#3a4048", "roughness": 0.8},
   {"file": "dashes.xyz", "color": "#f4d35e", "radius": 0.012, "shadow": false},
   {"file": "left.xyz", "color": "#f5f2ea", "radius": 0.01, "shadow": false},
