@@ -17,7 +17,7 @@ BEGIN {
     for (j = 0; j <= ny; ++j) for (i = 0; i <= nx; ++i) {
         x = -8.5 + 17 * i / nx; y = -6 + 12 * j / ny
         h[i, j] = height(x, y)
-        printf "v %.5f %.5f %.5f\n", x, y, h[i, j]
+        printf "v %.5f %.5f %.5f\n", x, h[i, j], -y
     }
     for (j = 0; j < ny; ++j) for (i = 0; i < nx; ++i) {
         a = j * (nx + 1) + i + 1; b = a + 1; c = b + nx + 1; d = a + nx + 1
@@ -27,7 +27,7 @@ BEGIN {
     }
     for (band = 0; band < bands; ++band) printf "usemtl band%d\n%s", band, faces[band]
 }' > hills.obj
-printf '%s\n' '-8.4 -0.9 0' '-5.6 -0.4 0' '-3 -0.9 0' '-1.3 0.6 0' '0.1 1.6 0' '1 0.2 0' '2.6 -0.5 0' '3.7 -1.1 0' '4.6 -0.1 0' '5.3 1.1 0' '8.4 1 0' > places.xyz
+printf '%s\n' '-8.4 0 0.9' '-5.6 0 0.4' '-3 0 0.9' '-1.3 0 -0.6' '0.1 0 -1.6' '1 0 -0.2' '2.6 0 0.5' '3.7 0 1.1' '4.6 0 0.1' '5.3 0 -1.1' '8.4 0 -1' > places.xyz
 
 along() { filigree spline hills.obj places.xyz --smoothing-scale 0.25 --quiet "$@"; }
 along -o middle.xyz --on-mesh --height 0.03 --road 0.36 --road-output road.obj --road-height 0.02 --road-spacing 0.04 --road-columns 8
@@ -54,8 +54,8 @@ BEGIN {
     }
 }' > colors.json
 cat > picture.json <<END
-{"size": [960, 480],
- "all": {"camera": [-16, 27], "margin": 1, "ground": false, "aim": [[-4.9, -2, 0], [4.9, -2, 0], [-4.6, 1.8, 0.9], [5, 2, 0.9]]},
+{"size": [960, 440],
+ "all": {"camera": [-18, 34], "margin": 1, "ground": false, "aim": [[-4.7, 0, 1.2], [4.7, 0, 1.2], [-4.6, 1.3, -2.2], [5, 1.3, -2.2]]},
  "panels": [{"show": [
   {"file": "hills.obj", "border": 0, "regions": [$(cat colors.json)]},
   {"file": "road.obj", "color": "#3a4048", "roughness": 0.8},
