@@ -20,18 +20,18 @@ constexpr double first_stiffness = 100, most_stiffness = 2e3, stiffer = 4;  // o
 constexpr double length_tolerance = 3e-9;                                   // of a segment
 constexpr double contact_tolerance = 0.1;                                   // of the height that it is laid above
 constexpr double first_force = 1e-2, force_tolerance = 1e-6;                // of the weight of a segment
-constexpr double least_damping = 1e-12, first_damping = 1e-5;               // of the tension over a segment
+constexpr double least_damping = 1e-12, first_damping = 1e-5;               // of the stiffness
 constexpr uint32_t cable_rounds = 60, damping_rounds = 14, multiplier_rounds = 120;
-constexpr uint32_t swept_steps = 12;                     // of a fall
-constexpr uint32_t piece_looks = 48;                     // at a piece, at most
-constexpr uint32_t rough_parts = 8, refined_parts = 32;  // of a piece, where distances are not convex
-constexpr uint32_t rough_work = 16, refined_work = 40;   // of Cost::microseconds
-constexpr double least_folded = 1e-7;                    // of the length: more than so much shorter it lies in folds
-constexpr uint32_t most_planes = 6;                      // of a piece
-constexpr double reach_share = 0.1;                      // of the length
-constexpr double step_share = 0.25, move_share = 0.5;    // of the reach
-constexpr uint32_t settle_rounds = 24, again_rounds = 2;
-constexpr double move_tolerance = 1e-5;  // of a segment
+constexpr uint32_t swept_steps = 12;                      // of a fall
+constexpr uint32_t piece_looks = 48;                      // at a piece, at most
+constexpr uint32_t rough_parts = 8, refined_parts = 32;   // of a piece, where distances are not convex
+constexpr uint32_t rough_work = 16, refined_work = 40;    // of Cost::microseconds
+constexpr double least_folded = 1e-7;                     // of the length: more than so much shorter it lies in folds
+constexpr uint32_t most_planes = 6;                       // of a piece
+constexpr double reach_share = 0.1;                       // of the length
+constexpr double step_share = 0.25, move_share = 0.5;     // of the reach
+constexpr uint32_t settle_rounds = 24, again_rounds = 2;  // in which planes are placed; after a breach
+constexpr double move_tolerance = 1e-5;                   // of a segment
 
 using ForceRates = Eigen::Matrix3d;
 
@@ -258,57 +258,66 @@ Task<void> take_step(Pace& pace, HangingChain& chain, double damping) {
                   [&](uint32_t i) { chain.trial[i + 1] = chain.places[i + 1] + share * Vec3(system.solution(i)); });
 }
 
-// The planes of what is near, as the chain is now. They keep their forces.
-Task<void> place_planes(Pace& pace, HangingChain& chain) {
+// With the force of the one before it, if there was one. Where there are too many the farthest goes.
+void add_plane(const HangingChain& chain, uint32_t piece, uint32_t obstacle, Plane::Of of, const Lowest& lowest,
+               const Contacts& before, Contacts& contacts) {
+    if (!(lowest.away < chain.reach)) return;
+    Plane* const end = contacts.planes + contacts.count;
+    Plane* out = end;
+    if (contacts.count == most_planes) {
+        out = std::max_element(contacts.planes, end, [](const Plane& p, const Plane& q) { return p.away < q.away; });
+        if (out->away <= lowest.away) return;
+    }
+    Plane plane;
+    plane.obstacle = obstacle;
+    plane.of = of;
+    plane.away = lowest.away;
+    if (of == Plane::Of::piece) {
+        plane.ends = 2;
+    } else {
+        plane.at[0] = lowest.at;
+    }
+    plane.outwards = lowest.outwards;
+    plane.height = lowest.outwards.dot(chain.at(chain.places, piece, lowest.at)) - lowest.away + contacts.margin;
+    for (uint32_t i = 0; i < before.count; ++i)
+        if (before.planes[i].obstacle == obstacle && before.planes[i].of == of)
+            std::copy_n(before.planes[i].force, 2, plane.force);
+    if (out == end) ++contacts.count;
+    *out = plane;
+}
+
+// Of an obstacle, beside a piece. Returns what that took.
+uint32_t add_planes(HangingChain& chain, uint32_t piece, uint32_t i, const Contacts& before) {
     const ObstacleSet& set = chain.set;
-    co_await each_by_work(pace, chain.pieces, Cost::microseconds, [&](uint32_t piece) {
-        Contacts& contacts = chain.contacts[piece];
-        const Contacts before = contacts;
-        contacts.count = 0;
-        const Vec3 &a = chain.places[piece], &b = chain.places[piece + 1];
-        uint32_t work = 1 + set.count() / 32;
-        const auto add = [&](uint32_t obstacle, Plane::Of of, const Lowest& lowest) {
-            if (!(lowest.away < chain.reach)) return;
-            Plane* const end = contacts.planes + contacts.count;
-            Plane* out = end;
-            if (contacts.count == most_planes) {
-                out = std::max_element(contacts.planes, end,
-                                       [](const Plane& p, const Plane& q) { return p.away < q.away; });
-                if (out->away <= lowest.away) return;
-            }
-            Plane plane;
-            plane.away = lowest.away;
-            plane.obstacle = obstacle;
-            plane.of = of;
-            if (of == Plane::Of::piece) {
-                plane.ends = 2;
-            } else {
-                plane.at[0] = lowest.at;
-            }
-            plane.outwards = lowest.outwards;
-            plane.height = lowest.outwards.dot(a + lowest.at * (b - a)) - lowest.away + contacts.margin;
-            for (uint32_t i = 0; i < before.count; ++i)
-                if (before.planes[i].obstacle == obstacle && before.planes[i].of == of)
-                    std::copy_n(before.planes[i].force, 2, plane.force);
-            if (out == end) ++contacts.count;
-            *out = plane;
-        };
-        for (uint32_t i = 0; i < set.count(); ++i) {
-            if (set.at_least(i, a.data()) > chain.reach + chain.length) continue;
-            if (set[i].is_convex()) {
-                add(i, Plane::Of::piece, lowest_of_piece(set, i, a, b, chain.reach, false));
-                continue;
-            }
-            const PieceLook look = look_at_piece(set, i, a, b, 0);
-            if (piece > 0) add(i, Plane::Of::node, {look.away, 0, look.outwards});
-            work += 2;
-            if (look.away > chain.reach + chain.length) continue;
-            const Lowest lowest = lowest_of_piece(set, i, a, b, chain.length, contacts.is_refined);
-            work += contacts.is_refined ? refined_work : rough_work;
-            if (lowest.away < chain.length && lowest.at > 0 && lowest.at < 1) add(i, Plane::Of::middle, lowest);
+    Contacts& contacts = chain.contacts[piece];
+    const Vec3 &a = chain.places[piece], &b = chain.places[piece + 1];
+    if (set.at_least(i, a.data()) > chain.reach + chain.length) return 0;
+    if (set[i].is_convex()) {
+        add_plane(chain, piece, i, Plane::Of::piece, lowest_of_piece(set, i, a, b, chain.reach, false), before,
+                  contacts);
+        return 1;
+    }
+    const PieceLook look = look_at_piece(set, i, a, b, 0);
+    if (piece > 0) add_plane(chain, piece, i, Plane::Of::node, {look.away, 0, look.outwards}, before, contacts);
+    if (look.away > chain.reach + chain.length) return 1;
+    const Lowest lowest = lowest_of_piece(set, i, a, b, chain.length, contacts.is_refined);
+    if (lowest.away < chain.length && lowest.at > 0 && lowest.at < 1)
+        add_plane(chain, piece, i, Plane::Of::middle, lowest, before, contacts);
+    return contacts.is_refined ? refined_work : rough_work;
+}
+
+// The planes of what is near, as the chain is now.
+Task<void> place_planes(Pace& pace, HangingChain& chain) {
+    Slice slice(Cost::microseconds);
+    for (uint32_t piece = 0; piece < chain.pieces; ++piece) {
+        const Contacts before = chain.contacts[piece];
+        chain.contacts[piece].count = 0;
+        for (uint32_t i = 0; i < chain.set.count(); ++i) {
+            const uint32_t work = add_planes(chain, piece, i, before);
+            if (work > 0 && slice.is_over(work)) co_await pace;
         }
-        return work;
-    });
+        if (slice.is_over()) co_await pace;
+    }
 }
 
 // By Newton's method, until forces are in balance or places are so far away that planes are to be placed anew. Returns
