@@ -503,8 +503,8 @@ double line_length(const std::pmr::vector<Vec3>& line) {
     return length;
 }
 
-// Where the straight way is blocked: above what blocks it or, if the cable is too short for that, the shortest way. None
-// if it is too short for that too, but `hangs_free`.
+// Where the straight way is blocked: above what blocks it or, if the cable is too short for that, the shortest way.
+// None if it is too short for that too, but `hangs_free`.
 Task<std::pmr::vector<Vec3>> way_over(Pace& pace, const HangingChain& chain, const std::pmr::vector<Breach>& breaches,
                                       double length, bool hangs_free, uint32_t number) {
     double ends[6];

@@ -9,8 +9,8 @@
 // where these are nearest: for convex solids each round is a convex problem within what is allowed, so nothing is
 // passed through.
 //
-// Invariants: ends stay where they are, to the bit; each segment of one that rests has its length, to 1e-8 of it; all of
-// it keeps out of solids by their clearance: of balls, boxes, capsules and half-spaces by the convexity of their
+// Invariants: ends stay where they are, to the bit; each segment of one that rests has its length, to 1e-8 of it; all
+// of it keeps out of solids by their clearance: of balls, boxes, capsules and half-spaces by the convexity of their
 // distance, of meshes by their triangles, of others at places that are looked at.
 #pragma once
 

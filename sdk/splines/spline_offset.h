@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Curves beside splines of R^3, so far to the left and so far above.
 //
-// Left and above are those of a frame along the curve: of the surface's normals, where the way to the left goes straight
-// over the surface (geodesics, step by step along the osculating circle); of an up vector; or of a frame that turns as
-// little as may be (moving_frame.h).
+// Left and above are those of a frame along the curve: of the surface's normals, where the way to the left goes
+// straight over the surface (manifold_walk.h); of an up vector; or of a frame that turns as little as may be
+// (moving_frame.h).
 //
 // Loops: farther than the radius of a bend a curve beside another runs back between two cusps. There it is cut off from
 // where it crosses itself: what goes are the places around the cusps that are nearer to the curve beyond the bend than

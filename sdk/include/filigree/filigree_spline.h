@@ -273,10 +273,10 @@ FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc*
 FLG_API FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
 
 /* The side on which a curve passes an obstacle: while the initial curve is found, the obstacle extends without end
- * against the direction: in the plane and in space straight, on a surface along it, as far as the surface is large (where
- * that leads back to the obstacle, half way around). In the plane and on surfaces the optimized curve stays on that
- * side. In space a ball has no other side, and the curve may slide over it to where it bends less. On a surface the job
- * fails for obstacles that do not cut it near their middle, and for directions across it. */
+ * against the direction: in the plane and in space straight, on a surface along it, as far as the surface is large
+ * (where that leads back to the obstacle, half way around). In the plane and on surfaces the optimized curve stays on
+ * that side. In space a ball has no other side, and the curve may slide over it to where it bends less. On a surface
+ * the job fails for obstacles that do not cut it near their middle, and for directions across it. */
 typedef struct FlgObstacleSide {
     uint32_t obstacle; /* its index in FlgObstaclesDesc */
     uint32_t reserved;
@@ -593,8 +593,8 @@ typedef struct FlgCableHangDesc {
                                 2 each. Null: one cable */
     uint32_t cable_count;    /* 1 to 65536, with cable_offsets. Default 0 */
     uint32_t segments;       /* straight pieces from a point to the next, 4 to 4096. Default 64 */
-    const double* lengths;   /* one per span from a point of a cable to its next one, metres: at least their distance, at
-                                most 1000 times it. Null: by slack */
+    const double* lengths;   /* one per span from a point of a cable to its next one, metres: at least their distance,
+                                at most 1000 times it. Null: by slack */
     double slack;            /* by how much spans are longer than the distance of their points, over it: 0 to 999.
                                 Default 0.02 */
     double gravity[3];       /* the direction in which they hang, any length but 0. Default 0, 0, -1 */
@@ -605,17 +605,17 @@ typedef struct FlgCableHangDesc {
 FLG_API FlgResult flgCableHangDescInit(FlgCableHangDesc* desc, uint32_t struct_size);
 
 /* Starts a job that hangs cables between points: a curve set with the descriptor's origin, POSITION and TIME (metres
- * along the cable), a curve per cable. They do not stretch, and bend without resistance. A span that meets nothing as it
- * falls from the straight way between its points is a catenary, in closed form: its points are evenly along that. Others
- * come to rest on the obstacles, where their potential energy is least, on the side they fall from: the straight way or,
- * where that is blocked, the shortest way over the obstacles. Their segments are straight, have their length to 1e-8 of
- * it, and keep the obstacles' clearance to 1e-6 of the scene's size: of balls, boxes, capsules, half-spaces and, without
- * a clearance, meshes everywhere; of others at places a 32nd of a segment apart. What is longer than has room lies on
- * the ground in folds. Points may touch obstacles.
+ * along the cable), a curve per cable. They do not stretch, and bend without resistance. A span that meets nothing as
+ * it falls from the straight way between its points is a catenary, in closed form: its points are evenly along that.
+ * Others come to rest on the obstacles, where their potential energy is least, on the side they fall from: the straight
+ * way or, where that is blocked, the shortest way over the obstacles. Their segments are straight, have their length to
+ * 1e-8 of it, and keep the obstacles' clearance to 1e-6 of the scene's size: of balls, boxes, capsules, half-spaces
+ * and, without a clearance, meshes everywhere; of others at places a 32nd of a segment apart. What is longer than has
+ * room lies on the ground in folds. Points may touch obstacles.
  * Fails with FLG_ERROR_INVALID_ARGUMENT where a point is inside an obstacle, where a span is too short for the ways
- * around the obstacles, and where it does not come to rest; with FLG_ERROR_LIMIT above 2^22 segments. Cost: about 0.1 us
- * a segment of a free span; 5 to 50 ms for a span of 64 that rests on something, up to a second on a mesh or where the
- * straight way is blocked. */
+ * around the obstacles, and where it does not come to rest; with FLG_ERROR_LIMIT above 2^22 segments. Cost: about 0.1
+ * us a segment of a free span; 5 to 50 ms for a span of 64 that rests on something, up to a second on a mesh or where
+ * the straight way is blocked. */
 FLG_API FlgResult flgCableHang(FlgContext context, const FlgCableHangDesc* desc, FlgCurveSet* out_set,
                                FlgJob* out_job);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Straight over a surface of R^3, step by step: along the circle that osculates the geodesic, and back onto the surface.
-// Off the geodesic by the square of a step's length.
+// Straight over a surface of R^3, step by step: along the circle that osculates the geodesic, and back onto the
+// surface. Off the geodesic by the square of a step's length.
 #pragma once
 
 #include <algorithm>
