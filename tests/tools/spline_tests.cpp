@@ -194,10 +194,9 @@ TEST_F(SplineCommand, OffsetsLieBesideTheCurve) {
         EXPECT_NEAR(std::hypot(p[0], p[1]), 2.5, 1e-5);
         EXPECT_NEAR(p[2], 0, 1e-5);
     }
-    points({{-1, 1, 0}, {0, 0, 0}, {1, 1, 0}});
-    const Strings far = {"--offset", "1.5", "--points", "201"};
-    EXPECT_LT(curve("space", far).size(), 201u);
-    EXPECT_EQ(curve("space", {"--offset", "1.5", "--points", "201", "--offset-loops"}).size(), 201u);
+    points({{-4, 4, 0}, {0, 0, 0}, {4, 4, 0}});
+    EXPECT_LT(curve("space", {"--offset", "2", "--points", "201"}).size(), 201u);
+    EXPECT_EQ(curve("space", {"--offset", "2", "--points", "201", "--offset-loops"}).size(), 201u);
     expect_refused({"spline", "space", "points.xyz", "-o", "out.xyz", "--offset-up", "0,0,1"}, 2,
                    {"need --offset or --offset-above"});
 }
