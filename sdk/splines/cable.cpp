@@ -592,7 +592,8 @@ Task<HungCable> hang_cable(Pace& pace, const ObstacleSet* obstacles, Vec3 from, 
     chain.reach = std::max(reach_share * length, chain.length);
     chain.damping = first_damping;
     co_await each(pace, segments, Cost::some_ns, [&](uint32_t i) { chain.tension[i] = 0; });
-    co_await each(pace, segments, Cost::some_ns, [&](uint32_t i) {
+    chain.contacts.reserve(segments);
+    co_await each(pace, segments, Cost::hundreds_of_ns, [&](uint32_t i) {
         const bool is_end = i == 0 || i + 1 == segments;
         chain.contacts.emplace_back().margin = is_end ? 0 : rest;
     });
