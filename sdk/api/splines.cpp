@@ -6,6 +6,7 @@
 #include "api/descriptors.h"
 #include "api/inputs.h"
 #include "api/surface_inputs.h"
+#include "splines/spline_offset.h"
 #include "splines/spline_ribbon.h"
 #include "splines/surface_trace.h"
 
@@ -64,6 +65,23 @@ RibbonShape read_ribbon(const FlgSplineSweepDesc& desc, const ManifoldProduct& m
     if (!shape.conforms && shape.up.isZero(0) && !manifold.has_normals())
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.up is 0, which is for splines on a surface in R^3, as it has normals");
+    return shape;
+}
+
+OffsetShape read_offset(const FlgSplineOffsetDesc& desc, const ManifoldProduct& manifold) {
+    OffsetShape shape{.left = desc.left, .above = desc.above, .spacing = desc.spacing};
+    check_range(std::abs(desc.left) <= 1e30, "desc.left", desc.left, "finite and at most 1e30 in size");
+    check_range(std::abs(desc.above) <= 1e30, "desc.above", desc.above, "finite and at most 1e30 in size");
+    check_range(desc.spacing >= 0 && desc.spacing <= 1e30, "desc.spacing", desc.spacing, "0 to 1e30");
+    check_range(desc.reserved == 0, "desc.reserved", desc.reserved, "0");
+    for (int c = 0; c < 3; ++c) {
+        check_range(std::abs(desc.up[c]) <= 1e30, "desc.up", desc.up[c], "finite and at most 1e30 in size");
+        shape.up[c] = desc.up[c];
+    }
+    if (!shape.up.isZero(0)) shape.up.stableNormalize();
+    shape.turns_least = desc.turns_least != 0;
+    shape.keeps_loops = desc.keeps_loops != 0;
+    check_range(manifold.given_ambient == 3, "the number of coordinates of desc.spline", manifold.given_ambient, "3");
     return shape;
 }
 
@@ -390,6 +408,25 @@ FlgResult flgSplineSweep(FlgContext context, const FlgSplineSweepDesc* desc, Flg
         out->origin = spline->origin;
         submission.job().strand.start(make_ribbon(submission.pace(), spline, shape, out));
         *out_surface = {submission.commit(self.surfaces, out, out_job)};
+    });
+}
+
+FlgResult flgSplineOffsetDescInit(FlgSplineOffsetDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgSplineOffsetDesc>());
+}
+
+FlgResult flgSplineOffset(FlgContext context, const FlgSplineOffsetDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
+    return guarded([&] {
+        Context& self = clear_outputs(context, out_set, "out_set", out_job);
+        const FlgSplineOffsetDesc read = read_struct(desc, sized<FlgSplineOffsetDesc>(), "desc");
+        Submission submission(self, read.job);
+        const auto spline = self.splines.get(read.spline.id, "desc.spline");
+        submission.read(*spline, "desc.spline");
+        const OffsetShape shape = read_offset(read, *spline->manifold);
+        const auto out = self.make(self.curve_sets);
+        out->origin = spline->origin;
+        submission.job().strand.start(offset_spline(submission.pace(), spline, shape, out));
+        *out_set = {submission.commit(self.curve_sets, out, out_job)};
     });
 }
 

@@ -93,6 +93,8 @@ public:
     void show_joint(const BoneJoint& joint, std::string_view key, std::string_view name, bool is_pinned);
     void show_part(uint32_t part);
     const FlgModelView& view() const { return view_; }
+    // For jobs, which may run before the host sees the view.
+    const char* joint_name(uint32_t joint) const { return columns_.name_pointers[joint]; }
 
 private:
     struct Columns {

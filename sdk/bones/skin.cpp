@@ -252,7 +252,7 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     for (; !bodies.empty(); bodies.pop_back()) co_await pace;
     for (; !depths.lifts.empty(); depths.lifts.pop_back()) co_await pace;
     co_await each(pace, skin->tree.joints.size(), Cost::tens_of_ns,
-                  [&](uint32_t j) { skin->names.emplace_back(model.view().joint_names[j]); });
+                  [&](uint32_t j) { skin->names.emplace_back(model.joint_name(j)); });
     co_await show_all(pace, *skin);
 }
 

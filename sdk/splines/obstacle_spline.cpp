@@ -92,14 +92,14 @@ private:
 Task<void> find_beginning(Pace& pace, const SplineRequest& request, const ObstacleSet& wider, double margin,
                           GivenPoints given, FirstCurve& first, Evaluations& evaluations) {
     const ManifoldProduct& held = *request.out->manifold;
+    const std::span<const ObstacleSide> sides(request.sides.data(), request.sides.size());
     if (held.kind != ManifoldKind::space) {
         co_await refuse_inside(pace, wider, given.values, margin);
         co_await find_first_curve(pace, held, given, first);
-        co_await lead_around(pace, static_cast<const Hypersurface&>(*held.manifold), wider, least_way * margin, given,
-                             first, evaluations);
+        co_await lead_around(pace, static_cast<const Hypersurface&>(*held.manifold), wider, sides, least_way * margin,
+                             given, first, evaluations);
         co_return;
     }
-    const std::span<const ObstacleSide> sides(request.sides.data(), request.sides.size());
     ObstaclePath path = co_await obstacle_path(pace, wider, given.values, given.closed, sides, margin, &evaluations);
     first.points = std::move(path.points);
     for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);

@@ -8,6 +8,7 @@
 
 #include "core/failure.h"
 #include "core/vec.h"
+#include "splines/manifolds/manifold_walk.h"
 #include "splines/obstacles/clearance.h"
 
 namespace flg {
@@ -20,6 +21,12 @@ constexpr double max_hop = 3;                    // cells, between points of nei
 constexpr uint32_t max_cells = 1u << 16;         // that a search looks at
 constexpr uint32_t project_work = 4;             // of Cost::microseconds
 constexpr uint32_t cell_work = 8;                // evaluations
+
+constexpr double wall_steps = 64;       // along the surface's size
+constexpr double wall_half = 1.0 / 32;  // of that: so high it stands to both sides of the surface
+constexpr uint32_t wall_work = 4;       // of Cost::microseconds: a step
+constexpr uint32_t seek_rounds = 32;    // of a place of the surface that is inside
+constexpr double least_along = 1e-3;    // of a direction: less is across the surface
 
 using Cell = std::array<int32_t, 3>;
 
@@ -64,10 +71,93 @@ private:
     uint32_t count_ = 0;
 };
 
+// Between the pairs of a row of places, one of each pair below the surface, the other above.
+struct Wall {
+    explicit Wall(Memory* memory) : below(memory), above(memory) {}
+
+    // By the signs of volumes: whether the way from a to b meets a triangle.
+    static bool meets(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r) {
+        const Vec3 way = b - a, u = p - a, v = q - a, w = r - a, normal = (q - p).cross(r - p);
+        const double begin = -normal.dot(u), end = normal.dot(way - u);
+        if ((begin > 0) == (end > 0)) return false;
+        const double uv = way.dot(u.cross(v)), vw = way.dot(v.cross(w)), wu = way.dot(w.cross(u));
+        return (uv >= 0 && vw >= 0 && wu >= 0) || (uv <= 0 && vw <= 0 && wu <= 0);
+    }
+    bool is_crossed(const Vec3& a, const Vec3& b) const {
+        const Vec3 low = a.cwiseMin(b), high = a.cwiseMax(b);
+        for (size_t i = 0; i + 1 < below.size(); ++i) {
+            const Vec3 &p = below[i], &q = above[i], &r = below[i + 1], &s = above[i + 1];
+            const Vec3 lower = p.cwiseMin(q).cwiseMin(r.cwiseMin(s)), upper = p.cwiseMax(q).cwiseMax(r.cwiseMax(s));
+            if ((lower.array() > high.array()).any() || (upper.array() < low.array()).any()) continue;
+            if (meets(a, b, p, q, r) || meets(a, b, q, s, r)) return true;
+        }
+        return false;
+    }
+
+    std::pmr::vector<Vec3> below, above;
+};
+
 class Ground {
 public:
     Ground(const Hypersurface& surface, const ObstacleSet& obstacles, double margin, Memory* memory)
-        : surface_(surface), obstacles_(obstacles), margin_(margin), hint_(surface.hint_size(), 0.0, memory) {}
+        : surface_(surface),
+          obstacles_(obstacles),
+          margin_(margin),
+          hint_(surface.hint_size(), 0.0, memory),
+          walls_(memory) {}
+
+    // The side of an obstacle, the `number`-th.
+    static Task<void> build_wall(Pace& pace, Ground& of, ObstacleSide side, uint32_t number) {
+        const Hypersurface& surface = of.surface_;
+        Vec3 direction(side.direction.data());
+        if (side.obstacle >= of.obstacles_.count() || !of.obstacles_[side.obstacle].bounded())
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "sides[%u] is of obstacle %u, which %s", number, side.obstacle,
+                          side.obstacle >= of.obstacles_.count() ? "there is not" : "has no other side");
+        if (!(direction.squaredNorm() > 0))
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "sides[%u] has a direction without length", number);
+        direction.stableNormalize();
+        const auto away = [&](const Vec3& x, Vec3* outwards) {
+            return of.obstacles_.evaluate(side.obstacle, x.data(), outwards ? outwards->data() : nullptr, nullptr);
+        };
+        // From its middle onto the surface and back into it, to and fro.
+        Vec3 place(of.obstacles_[side.obstacle].core().data()), normal, outwards;
+        const double depth = 0.5 * of.obstacles_[side.obstacle].core_depth();
+        bool is_inside = false;
+        for (uint32_t round = 0; round < seek_rounds && !is_inside; ++round) {
+            if (!of.project(place, normal)) break;
+            const double out = away(place, &outwards);
+            is_inside = out < 0;
+            if (!is_inside) place -= (out + depth) * outwards;
+            co_await pace;
+        }
+        if (!is_inside)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "sides[%u] is of obstacle %u, which does not cut the surface near its middle", number,
+                          side.obstacle);
+        if (!((direction - direction.dot(normal) * normal).norm() > least_along))
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "sides[%u] has a direction across the surface at obstacle %u, along it there is none", number,
+                          side.obstacle);
+        Wall wall(pace.memory());
+        const double half = wall_half * surface.size(), step = surface.size() / wall_steps;
+        ManifoldWalk walk(surface, pace.memory());
+        Slice slice(Cost::microseconds);
+        bool has_left = false, goes = walk.begin(place, -direction);
+        for (uint32_t i = 0; goes; ++i) {
+            wall.below.push_back(walk.place() - half * walk.up());
+            wall.above.push_back(walk.place() + half * walk.up());
+            const bool inside = away(walk.place(), nullptr) < 0;
+            if (has_left && inside) {
+                wall.below.resize(wall.below.size() / 2);
+                wall.above.resize(wall.below.size());
+                break;
+            }
+            has_left = has_left || !inside;
+            goes = i < static_cast<uint32_t>(wall_steps) && walk.step(step);
+            if (slice.is_over(wall_work)) co_await pace;
+        }
+        of.walls_.push_back(std::move(wall));
+    }
 
     bool project(Vec3& at, Vec3& normal) {
         std::fill(hint_.begin(), hint_.end(), 0.0);
@@ -79,11 +169,16 @@ public:
     }
     // Of a chord from a given point that is nearer to an obstacle than that, the other half.
     static Task<bool> is_clear(Pace& pace, const Ground& of, Vec3 a, Vec3 b) {
+        Slice slice(Cost::microseconds);
+        for (const Wall& wall : of.walls_) {
+            if (wall.is_crossed(a, b)) co_return false;
+            if (slice.is_over()) co_await pace;
+        }
         const Vec3 middle = 0.5 * (a + b);
         const Vec3 begin = of.obstacles_.distance(a.data()) < of.margin_ ? middle : a,
                    end = of.obstacles_.distance(b.data()) < of.margin_ ? middle : b;
-        return flg::is_clear(pace, of.obstacles_, {begin.x(), begin.y(), begin.z()}, {end.x(), end.y(), end.z()},
-                             of.margin_);
+        co_return co_await flg::is_clear(pace, of.obstacles_, {begin.x(), begin.y(), begin.z()},
+                                         {end.x(), end.y(), end.z()}, of.margin_);
     }
 
 private:
@@ -91,6 +186,7 @@ private:
     const ObstacleSet& obstacles_;
     double margin_;
     std::pmr::vector<double> hint_;
+    std::pmr::vector<Wall> walls_;
 };
 
 struct Goal {
@@ -221,9 +317,11 @@ Task<bool> is_free(Pace& pace, const Ground& ground, const FirstCurve& first, ui
 
 }  // namespace
 
-Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSet& obstacles, double margin,
-                       GivenPoints given, FirstCurve& first, Evaluations& evaluations) {
+Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSet& obstacles,
+                       std::span<const ObstacleSide> sides, double margin, GivenPoints given, FirstCurve& first,
+                       Evaluations& evaluations) {
     Ground ground(surface, obstacles, margin, pace.memory());
+    for (uint32_t i = 0; i < sides.size(); ++i) co_await Ground::build_wall(pace, ground, sides[i], i);
     FirstCurve around(pace.memory());
     uint32_t begin = 0;
     for (uint32_t s = 0; s < first.ends.size(); ++s) {
@@ -243,8 +341,8 @@ Task<void> lead_around(Pace& pace, const Hypersurface& surface, const ObstacleSe
         }
         if (!clear && way.empty()) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "no way leads from point %u to point %u over the surface around the obstacles", s,
-                          (s + 1) % given.count(3));
+                          "no way leads from point %u to point %u over the surface around the obstacles%s", s,
+                          (s + 1) % given.count(3), sides.empty() ? "" : " on the sides they are to be passed");
         }
         const uint32_t skipped = s == 0 ? 0 : 1;
         if (clear) {

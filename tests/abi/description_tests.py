@@ -40,8 +40,8 @@ class Grammar(unittest.TestCase):
     """flg + noun + verb; constants prefixed by their enum; descriptors named like their function."""
 
     # Nouns that are no types of the interface.
-    NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Columns", "Debug", "Indices"}
-    VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|Edit|End|Find|Get|Group|Init|"
+    NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Cable", "Columns", "Debug", "Indices"}
+    VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|Edit|End|Find|Get|Group|Hang|Init|"
              "Insert|Join|Lift|Move|Mute|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|"
              "Resume|Run|Sample|Set|Simplify|Split|"
              "Stylize|Sweep|Tick|Trace|Undo|Ungroup|Wait|Warm|Write").split("|")

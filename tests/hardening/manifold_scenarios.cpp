@@ -149,7 +149,38 @@ void make_sampled_manifolds(Calls& calls) {
         FLG_CALL(calls, flgSplineSweep, calls.context, &ribbon, calls.out(road), calls.job());
         calls.finish();
         calls.note(road);
+        FlgSplineOffsetDesc offset = FLG_INIT(calls, flgSplineOffsetDescInit);
+        offset.spline = spline;
+        offset.left = 0.1;
+        FlgCurveSet beside{};
+        FLG_CALL(calls, flgSplineOffset, calls.context, &offset, calls.out(beside), calls.job());
+        calls.finish();
+        calls.note(beside);
     }
+}
+
+void hang_cables(Calls& calls) {
+    FlgObstacle solids[2] = {FLG_INIT(calls, flgObstacleInit), FLG_INIT(calls, flgObstacleInit)};
+    solids[0].kind = FLG_OBSTACLE_KIND_HALF_SPACE;
+    solids[0].to[2] = 1;
+    solids[1].kind = FLG_OBSTACLE_KIND_BOX;
+    solids[1].centre[0] = 6;
+    solids[1].half[0] = 0.3;
+    FlgObstaclesDesc obstacles = FLG_INIT(calls, flgObstaclesDescInit);
+    obstacles.obstacles = solids;
+    obstacles.obstacle_count = 2;
+    const double points[9] = {0, 0, 0.6, 4, 0.2, 0.7, 8, 0, 0.8};
+    FlgCableHangDesc cable = FLG_INIT(calls, flgCableHangDescInit);
+    FLG_CALL(calls, flgObstaclesCreate, calls.context, &obstacles, calls.out(cable.obstacles), calls.job());
+    cable.points = points;
+    cable.point_count = 3;
+    cable.segments = 12;
+    cable.slack = 0.2;
+    FlgCurveSet set{};
+    FLG_CALL(calls, flgCableHang, calls.context, &cable, calls.out(set), calls.job());
+    calls.finish();
+    calls.note(set);
+    FLG_CALL(calls, flgObstaclesRelease, calls.context, cable.obstacles);
 }
 
 void fit_splines(Calls& calls) {

@@ -229,6 +229,12 @@ void RandomHost::fit_spline() {
     curves.spline = any<FlgSpline>(spline);
     curves.height = number(-1, 1);
     if (chance(3)) returned(flgSplineSample(at(), &curves, out<FlgCurveSet>(curve_set), job_out()));
+    FlgSplineOffsetDesc beside = flgSplineOffsetDefaults();
+    beside.spline = any<FlgSpline>(spline);
+    beside.left = number<double>(-1, 1);
+    beside.above = chance(2) ? number<double>(-1, 1) : 0;
+    beside.up[2] = chance(2) ? 1 : 0;
+    if (chance(3)) returned(flgSplineOffset(at(), &beside, out<FlgCurveSet>(curve_set), job_out()));
 }
 
 void RandomHost::make_obstacles() {

@@ -35,6 +35,7 @@ void replay_tangles(Calls&);
 void make_manifolds(Calls&);
 void make_sampled_manifolds(Calls&);
 void fit_splines(Calls&);
+void hang_cables(Calls&);
 void avoid_obstacles(Calls&);
 void move_bodies(Calls&);
 void make_straight_skeletons(Calls&);
@@ -60,6 +61,7 @@ inline constexpr Scenario scenarios[] = {
     {"manifolds", make_manifolds},
     {"sampled_manifolds", make_sampled_manifolds},
     {"splines", fit_splines},
+    {"cables", hang_cables},
     {"obstacles", avoid_obstacles, 10},
     {"motions", move_bodies},
     {"straight_skeletons", make_straight_skeletons},

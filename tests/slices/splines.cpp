@@ -53,6 +53,35 @@ void spline(WatchedHost& host, uint32_t size) {
     host.call("flgSplineSample", flgSplineSample, &desc, &set, host.job());
     host.made("flgCurveSetRelease", flgCurveSetRelease, set);
     host.finish();
+    FlgSplineOffsetDesc offset = flgSplineOffsetDefaults();
+    offset.spline = desc.spline;
+    offset.left = 0.01;
+    FlgCurveSet beside{};
+    host.call("flgSplineOffset", flgSplineOffset, &offset, &beside, host.job());
+    host.made("flgCurveSetRelease", flgCurveSetRelease, beside);
+    host.finish();
+    // Across the way of the curve's bends, with loops.
+    offset.up[2] = 1;
+    offset.left = 0.9;
+    FlgCurveSet cut{};
+    host.call("flgSplineOffset", flgSplineOffset, &offset, &cut, host.job());
+    host.made("flgCurveSetRelease", flgCurveSetRelease, cut);
+    host.finish();
+}
+
+FlgCurveSet hang(WatchedHost& host, const std::vector<double>& points, uint32_t segments, double slack,
+                 FlgObstacles obstacles) {
+    FlgCableHangDesc desc = flgCableHangDefaults();
+    desc.points = points.data();
+    desc.point_count = static_cast<uint32_t>(points.size() / 3);
+    desc.segments = segments;
+    desc.slack = slack;
+    desc.obstacles = obstacles;
+    FlgCurveSet set{};
+    host.copy("flgCableHang", flgCableHang, &desc, &set, host.job());
+    host.made("flgCurveSetRelease", flgCurveSetRelease, set);
+    host.finish();
+    return set;
 }
 
 void manifold_of_mesh(WatchedHost& host, uint32_t size) {
@@ -124,6 +153,18 @@ void solid_mesh(WatchedHost& host, uint32_t size) {
     solid.cells = 40;
     const FlgObstacles obstacles = among(host, solid, 0.05);
     fit(host, shape(host, FLG_MANIFOLD_SHAPE_SPACE), {-3, 0, 0.1, 0, 3, 0, 3, 0.1, 0}, 65, obstacles);
+    hang(host, {-3, 0, 1.3, 3, 0, 1.3}, 64, 0.02, obstacles);
+}
+
+// Free ones, and one that rests on the ground, of as many segments.
+void cables(WatchedHost& host, uint32_t size) {
+    std::vector<double> points;
+    for (uint32_t i = 0; i < std::min(size / 8 + 2, 65536u); ++i) points.insert(points.end(), {1.0 * i, 0, 3});
+    hang(host, points, 8, 0.05, {});
+    FlgObstacle ground = flgObstacleDefaults();
+    ground.kind = FLG_OBSTACLE_KIND_HALF_SPACE;
+    ground.to[2] = 1;
+    hang(host, {-3, 0, 1, 3, 0, 1}, std::min(size, 4096u), 0.03, among(host, ground, 0));
 }
 
 void solid_border(WatchedHost& host, uint32_t size) {
@@ -174,6 +215,7 @@ constexpr SizedJob all[] = {
     {"manifold_grid", manifold_of_grid},
     {"obstacle_mesh", solid_mesh},
     {"obstacle_border", solid_border},
+    {"cables", cables, 524'000},
     {"motion", motion, 30'000},
     {"camera", camera, 30'000},
 };

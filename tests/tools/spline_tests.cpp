@@ -180,7 +180,49 @@ TEST_F(SplineCommand, OverTrianglesAndOnTheMeshItLiesOnThem) {
         EXPECT_NEAR(nearest, 0.05, 0.002) << i;
     }
     EXPECT_EQ(run({"spline", "torus:1,0.4", "points.xyz", "-o", "out.xyz", "--on-mesh"}).status, 2);
-    EXPECT_EQ(run({"spline", "torus.off", "points.xyz", "-o", "out.xyz", "--offset", "1"}).status, 2);
+    expect_refused({"spline", "torus.off", "points.xyz", "-o", "out.xyz", "--on-mesh", "--offset-above", "1"}, 2,
+                   {"--on-mesh takes --offset alone"});
+}
+
+TEST_F(SplineCommand, OffsetsLieBesideTheCurve) {
+    points({{2, 0, 0}, {0, 2, 0}, {-2, 0, 0}, {0, -2, 0}});
+    for (const Point& p : curve("sphere:2", {"--closed", "--offset", "0.5", "--offset-above", "0.1"})) {
+        EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), 2.1, 1e-5);
+        EXPECT_NEAR(std::asin(p[2] / 2.1), 0.25, 1e-5);
+    }
+    for (const Point& p : curve("sphere:2", {"--closed", "--offset", "-0.5", "--offset-up", "0,0,1"})) {
+        EXPECT_NEAR(std::hypot(p[0], p[1]), 2.5, 1e-5);
+        EXPECT_NEAR(p[2], 0, 1e-5);
+    }
+    points({{-4, 4, 0}, {0, 0, 0}, {4, 4, 0}});
+    EXPECT_LT(curve("space", {"--offset", "2", "--points", "201"}).size(), 201u);
+    EXPECT_EQ(curve("space", {"--offset", "2", "--points", "201", "--offset-loops"}).size(), 201u);
+    expect_refused({"spline", "space", "points.xyz", "-o", "out.xyz", "--offset-up", "0,0,1"}, 2,
+                   {"need --offset or --offset-above"});
+}
+
+TEST_F(SplineCommand, CablesHangAndRest) {
+    points({{-2, 0, 3}, {2, 0, 3}});
+    const double a = 2, length = 2 * a * std::sinh(2 / a);
+    const std::string text = std::to_string(length);
+    const auto cable = curve("space", {"--cable", "--cable-lengths", text, "--cable-segments", "100"});
+    ASSERT_EQ(cable.size(), 101u);
+    EXPECT_NEAR(cable[50][2], 3 - (a * std::cosh(2 / a) - a), 1e-5);
+    EXPECT_NEAR(quality("length"), length, 1e-5);
+    folder.write("ground.json", R"({"obstacles": [{"half_space": {"through": [0, 0, 2.2], "outwards": [0, 0, 1]}}]})");
+    const auto resting = curve("space", {"--cable", "--cable-lengths", text, "--obstacles", "ground.json"});
+    for (const Point& p : resting) EXPECT_GT(p[2], 2.2 - 1e-5);
+    EXPECT_NEAR(resting[32][2], 2.2, 1e-4);
+    const Strings begin = {"spline", "space", "points.xyz", "-o", "out.xyz", "--cable"};
+    const auto refused = [&](const Strings& options, int status, const std::string& words) {
+        Strings arguments = begin;
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        expect_refused(arguments, status, {words});
+    };
+    refused({"--cable-lengths", "3"}, 1, "lengths[0] is 3");
+    refused({"--cable-lengths", "5,5"}, 2, "has 2 lengths, points.xyz has 1 spans");
+    refused({"--gravity", "0,0,0"}, 1, "gravity");
+    expect_refused({"spline", "sphere:1", "points.xyz", "-o", "out.xyz", "--cable"}, 2, {"SURFACE must be space"});
 }
 
 TEST_F(SplineCommand, ComesAsFewCubicPiecesWithCorners) {

@@ -13,6 +13,8 @@
 #include "documents/space_lines.h"
 #include "documents/text_file.h"
 #include "path_curves.h"
+#include "spline_beside.h"
+#include "spline_cable.h"
 #include "spline_manifold.h"
 #include "spline_obstacles.h"
 #include "spline_road.h"
@@ -28,13 +30,15 @@ struct Options {
     double fit_tolerance = 1e-3;
     std::vector<uint32_t> corners;
     FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
-    double tension = 1, smoothing = 0, smoothing_scale = 0, tolerance = 1e-6, feature = 0, layer = 0, offset = 0;
+    double tension = 1, smoothing = 0, smoothing_scale = 0, tolerance = 1e-6, feature = 0, layer = 0;
     float height = 0;
     uint32_t nodes = 0, rounds = 200;
     bool closed = false, inside = false, over_triangles = false, on_mesh = false;
     FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
     uint64_t evaluations = flgSplineDefaults().max_evaluations;
     RoadOptions road;
+    BesideOptions beside;
+    CableOptions cable;
 };
 
 const std::map<std::string, FlgSplineEnergy>& energy_names() {
@@ -167,6 +171,18 @@ Drawn trace_of(Session& session, const MeshSurface& mesh, const Made& made, doub
     return out;
 }
 
+Drawn curve_of(const FlgCurveSetView& view) {
+    Drawn out{.places = {}, .normals = {}, .closed = (view.curve_flags[0] & FLG_CURVE_CLOSED) != 0};
+    std::copy(std::begin(view.origin), std::end(view.origin), out.origin.begin());
+    const float* const places = flgCurveSetViewGetColumn(&view, FLG_ATTRIBUTE_POSITION)->data;
+    const float* const normals = flgCurveSetViewGetColumn(&view, FLG_ATTRIBUTE_NORMAL)->data;
+    for (size_t i = 0; i < view.curve_offsets[1]; ++i) {
+        out.places.push_back({places[3 * i], places[3 * i + 1], places[3 * i + 2]});
+        out.normals.push_back({normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]});
+    }
+    return out;
+}
+
 // In double precision, not through a curve set's floats.
 std::string xyz_text(const std::vector<Drawn>& all) {
     std::string text;
@@ -270,6 +286,22 @@ void describe(const Options& options, Report& report) {
     if (!options.obstacles.empty()) report.parameters["obstacles"] = options.obstacles;
 }
 
+// The curve itself, one beside it, or one over the triangles.
+Drawn drawn_of(Session& session, const Options& options, const SplineManifold& manifold, const Made& made,
+               Report& report) {
+    if (options.on_mesh) return trace_of(session, *manifold.mesh, made, options.beside.left, report);
+    if (!options.beside.is_wanted()) return nodes_of(made.view);
+    return curve_of(curve_beside(session, options.beside, made.spline, made.subject, report));
+}
+
+void run_cables(Session& session, const Options& options, const SpaceLines& lines, FlgObstacles obstacles,
+                Report& report) {
+    report.parameters["slack"] = options.cable.slack;
+    const FlgCurveSet set = hang_cables(session, options.cable, lines, obstacles, options.points, report);
+    write_curves(session.context(), set, options.output);
+    report.write();
+}
+
 void run_spline(const Options& options, const CommonOptions& common) {
     require_curve_output(options.output);
     require_writable(common.report);
@@ -277,6 +309,9 @@ void run_spline(const Options& options, const CommonOptions& common) {
         throw UsageError("--fit and --fit-output go together");
     if (options.fit != Fit::none) require_writable(options.fit_output);
     check_road_options(options.road);
+    check_beside_options(options.beside, options.on_mesh);
+    if (options.cable.is_wanted && options.surface != "space")
+        throw UsageError("--cable: SURFACE must be space, not " + options.surface);
     Report report("spline", common);
     describe(options, report);
     Session session(common);
@@ -293,7 +328,8 @@ void run_spline(const Options& options, const CommonOptions& common) {
             read_obstacles(session, options.obstacles, manifold.view.ambient, report, border ? &*border : nullptr);
     if (options.on_mesh && !manifold.mesh)
         throw UsageError("--on-mesh: SURFACE must be a mesh, not " + options.surface);
-    if (options.offset != 0 && !options.on_mesh) throw UsageError("--offset needs --on-mesh");
+    if (options.cable.is_wanted)
+        return run_cables(session, options, lines, obstacles ? obstacles->handle : FlgObstacles{}, report);
     std::vector<Made> all;
     std::vector<Drawn> drawn;
     uint32_t rounds = 0, nodes = 0, held = 0;
@@ -302,8 +338,7 @@ void run_spline(const Options& options, const CommonOptions& common) {
         all.push_back(make_one(session, options, manifold, obstacles ? &*obstacles : nullptr, lines, line, report));
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
-        drawn.push_back(options.on_mesh ? trace_of(session, *manifold.mesh, all.back(), options.offset, report)
-                                        : nodes_of(view));
+        drawn.push_back(drawn_of(session, options, manifold, all.back(), report));
         nodes += static_cast<uint32_t>(drawn.back().places.size());
         moved = std::max(moved, view.largest_moved);
         held += view.held_count;
@@ -419,10 +454,7 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
         "--on-mesh", o->on_mesh,
         "Of a mesh: lays the result onto its triangles, so that it can be cut in; the report says how far its "
         "points moved");
-    app->add_option("--offset", o->offset,
-                    "With --on-mesh: a curve so far to the left of it (metres), over the triangles")
-        ->check(finite())
-        ->capture_default_str();
+    add_beside_options(*app, o->beside);
     app->add_flag("--inside", o->inside, "Of an open mesh: keeps the curve between its borders");
     app->add_option("--layer", o->layer,
                     "The same by a layer around the mesh, so thick to either side (metres), as in the paper; 0: none")
@@ -435,6 +467,7 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
                     "0: no bound; the default stands for 800 a point of the curve where that is less, but 600000")
         ->capture_default_str();
     add_road_options(*app, o->road);
+    add_cable_options(*app, o->cable);
     app->add_option("--tolerance", o->tolerance, "Residual at which the optimizer stops")
         ->check(CLI::Range(1e-12, 1.0))
         ->capture_default_str();

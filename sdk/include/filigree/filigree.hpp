@@ -540,8 +540,10 @@ using LiveStrokeInfo = FlgLiveStrokeInfo;
 using ManifoldView = FlgManifoldView;
 
 /// The side on which a curve passes an obstacle: while the initial curve is found, the obstacle extends without end
-/// against the direction. In the plane the optimized curve stays on that side. In space a ball has no other side, and
-/// the curve may slide over it to where it bends less.
+/// against the direction: in the plane and in space straight, on a surface along it, as far as the surface is large
+/// (where that leads back to the obstacle, half way around). In the plane and on surfaces the optimized curve stays on
+/// that side. In space a ball has no other side, and the curve may slide over it to where it bends less. On a surface
+/// the job fails for obstacles that do not cut it near their middle, and for directions across it.
 using ObstacleSide = FlgObstacleSide;
 
 /// A ray.
@@ -3160,6 +3162,41 @@ struct SplineSweepDesc : FlgSplineSweepDesc {
     }
 };
 
+/// FlgSplineOffsetDesc with its defaults.
+struct SplineOffsetDesc : FlgSplineOffsetDesc {
+    /// The defaults.
+    SplineOffsetDesc() { flgSplineOffsetDescInit(this, detail::size_of<FlgSplineOffsetDesc>); }
+    /// Of the C struct.
+    SplineOffsetDesc(const FlgSplineOffsetDesc& c) : FlgSplineOffsetDesc(c) {}
+    /// The defaults, with spline.
+    SplineOffsetDesc(FlgSpline spline_) {
+        flgSplineOffsetDescInit(this, detail::size_of<FlgSplineOffsetDesc>);
+        spline = spline_;
+    }
+};
+
+/// FlgCableHangDesc with its defaults.
+struct CableHangDesc : FlgCableHangDesc {
+    /// The defaults.
+    CableHangDesc() { flgCableHangDescInit(this, detail::size_of<FlgCableHangDesc>); }
+    /// Of the C struct.
+    CableHangDesc(const FlgCableHangDesc& c) : FlgCableHangDesc(c) {}
+    /// Sets points and point_count. The array must live until the descriptor is used.
+    void set_points(Span<const double> values) {
+        points = values.data();
+        point_count = detail::count(values.size(), 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_points(std::initializer_list<double>) = delete;
+    /// Sets cable_offsets and cable_count. The array must live until the descriptor is used.
+    void set_cable_offsets(Span<const uint32_t> values) {
+        cable_offsets = values.data();
+        cable_count = detail::count(values.empty() ? 0 : values.size() - 1);
+    }
+    /// A list would end before the descriptor is used.
+    void set_cable_offsets(std::initializer_list<uint32_t>) = delete;
+};
+
 /// FlgMotionDesc with its defaults.
 struct MotionDesc : FlgMotionDesc {
     /// The defaults.
@@ -4328,6 +4365,24 @@ public:
         return detail::made(result, Surface(context_, out_surface));
     }
 
+    /// Starts a job that makes the curve beside a spline, `left` and `above`: a curve set with the spline's origin and
+    /// POSITION, TIME (the spline's parameter beside it) and NORMAL (upwards). On a surface, without an `up`, it lies
+    /// on the surface, as the manifold has it, `above` it where asked for; where the surface ends before it is `left`
+    /// metres away it lies at its end. Farther away than the radius of a bend it would run back in a loop: loops are
+    /// cut off where the curve crosses itself (in space, half way between where its ends are nearest), which leaves a
+    /// corner, and TIME jumps there. At corners of the spline its outer side is cut straight. Fails where nothing is
+    /// left without loops, and with FLG_ERROR_LIMIT above 2^20 points. Cost: about 0.5 us a point; over a surface 3 us
+    /// a point and each 256th of the surface's size.
+    /// Calls flgSplineOffset.
+    Result<CurveSet> offset(SplineOffsetDesc desc = {}, Job* out_job = nullptr) const {
+        desc.spline = handle_;
+        FlgCurveSet out_set{};
+        FlgJob job_made{};
+        const FlgResult result = flgSplineOffset(context_, &desc, &out_set, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, CurveSet(context_, out_set));
+    }
+
     /// Whether view() has something to show. Fails as the job that makes it did.
     Result<bool> ready() const {
         FlgSplineView shown;
@@ -5251,6 +5306,27 @@ public:
         const FlgResult result = flgSplineCreate(handle_, &desc, &out_spline, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(handle_, job_made);
         return detail::made(result, Spline(handle_, out_spline));
+    }
+
+    /// Starts a job that hangs cables between points: a curve set with the descriptor's origin, POSITION and TIME
+    /// (metres along the cable), a curve per cable. They do not stretch, and bend without resistance. A span that meets
+    /// nothing as it falls from the straight way between its points is a catenary, in closed form: its points are
+    /// evenly along that. Others come to rest on the obstacles, where their potential energy is least, on the side they
+    /// fall from: the straight way or, where that is blocked, the shortest way over the obstacles. Their segments are
+    /// straight, have their length to 1e-8 of it, and keep the obstacles' clearance to 1e-6 of the scene's size: of
+    /// balls, boxes, capsules, half-spaces and, without a clearance, meshes everywhere; of others at places a 32nd of a
+    /// segment apart. What is longer than has room lies on the ground in folds. Points may touch obstacles. Fails with
+    /// FLG_ERROR_INVALID_ARGUMENT where a point is inside an obstacle, where a span is too short for the ways around
+    /// the obstacles, and where it does not come to rest; with FLG_ERROR_LIMIT above 2^22 segments. Cost: about 0.1 us
+    /// a segment of a free span; 5 to 50 ms for a span of 64 that rests on something, up to a second on a mesh or where
+    /// the straight way is blocked.
+    /// Calls flgCableHang.
+    Result<CurveSet> cable_hang(const CableHangDesc& desc, Job* out_job = nullptr) const {
+        FlgCurveSet out_set{};
+        FlgJob job_made{};
+        const FlgResult result = flgCableHang(handle_, &desc, &out_set, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(handle_, job_made);
+        return detail::made(result, CurveSet(handle_, out_set));
     }
 
     /// Starts a job that makes the motion of least energy through keys, or near them: the sum over the body's points of

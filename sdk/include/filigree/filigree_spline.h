@@ -273,8 +273,10 @@ FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc*
 FLG_API FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
 
 /* The side on which a curve passes an obstacle: while the initial curve is found, the obstacle extends without end
- * against the direction. In the plane the optimized curve stays on that side. In space a ball has no other side, and
- * the curve may slide over it to where it bends less. */
+ * against the direction: in the plane and in space straight, on a surface along it, as far as the surface is large
+ * (where that leads back to the obstacle, half way around). In the plane and on surfaces the optimized curve stays on
+ * that side. In space a ball has no other side, and the curve may slide over it to where it bends less. On a surface
+ * the job fails for obstacles that do not cut it near their middle, and for directions across it. */
 typedef struct FlgObstacleSide {
     uint32_t obstacle; /* its index in FlgObstaclesDesc */
     uint32_t reserved;
@@ -355,9 +357,9 @@ typedef struct FlgSplineDesc {
      * there are more nodes where that needs them. A mesh is its triangles, not a grid of them. The job fails
      * where it can't be had, and says near which obstacle and where. A given point inside an obstacle is refused; one
      * that touches is not, and beside it the curve may come nearer by a tenth of the barriers' radius. The initial
-     * curve goes around the obstacles; on a surface `sides` has no effect. `start`, `warm_start`, slopes and
-     * subdivisions are ignored, but where there is only the border of the manifold's own mesh, beyond which given
-     * points are passed too; `curve` is refused. Default none */
+     * curve goes around the obstacles. `start`, `warm_start`, slopes and subdivisions are ignored, but where there is
+     * only the border of the manifold's own mesh, beyond which given points are passed too; `curve` is refused. Default
+     * none */
     FlgObstacles obstacles;
     const FlgObstacleSide* sides; /* how the initial curve passes; default null: the shortest way */
     double obstacle_radius;       /* 1e-5 to 0.1. Default 1e-3 */
@@ -546,7 +548,76 @@ FLG_API FlgResult flgSplineSweepDescInit(FlgSplineSweepDesc* desc, uint32_t stru
 FLG_API FlgResult flgSplineSweep(FlgContext context, const FlgSplineSweepDesc* desc, FlgSurface* out_surface,
                                   FlgJob* out_job);
 
+typedef struct FlgSplineOffsetDesc {
+    uint32_t struct_size;
+    uint32_t keeps_loops; /* nonzero: a curve that is farther away than a bend is wide keeps the loop it makes there.
+                             Default 0: loops are cut off */
+    const FlgJobOptions* job;
+    FlgSpline spline;     /* in R^3 */
+    double left;          /* metres to the left of the curve, seen from above; below 0: to the right. Default 0 */
+    double above;         /* metres upwards; below 0: downwards. Default 0 */
+    double spacing;       /* metres between the points of `spline` that it is made of, as of FlgSplineSampleDesc.
+                             Default 0 */
+    double up[3];         /* what is upwards: left is across this direction. 0: the surface's normals, and the way to
+                             the left goes straight over the surface; in free space as with turns_least. Default 0 */
+    uint32_t turns_least; /* nonzero: `up` counts at the beginning only (0: the surface's normal there; in free space
+                             +z, or +y where the curve begins along z). From there left and up turn about the curve as
+                             little as may be; around a closed one they are turned back evenly. Default 0 */
+    uint32_t reserved;
+} FlgSplineOffsetDesc;
+
+FLG_API FlgResult flgSplineOffsetDescInit(FlgSplineOffsetDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes the curve beside a spline, `left` and `above`: a curve set with the spline's origin and
+ * POSITION, TIME (the spline's parameter beside it) and NORMAL (upwards). On a surface, without an `up`, it lies on the
+ * surface, as the manifold has it, `above` it where asked for; where the surface ends before it is `left` metres away
+ * it lies at its end. Farther away than the radius of a bend it would run back in a loop: loops are cut off where the
+ * curve crosses itself (in space, half way between where its ends are nearest), which leaves a corner, and TIME jumps
+ * there. At corners of the spline its outer side is cut straight. Fails where nothing is left without loops, and with
+ * FLG_ERROR_LIMIT above 2^20 points. Cost: about 0.5 us a point; over a surface 3 us a point and each 256th of the
+ * surface's size. */
+FLG_API FlgResult flgSplineOffset(FlgContext context, const FlgSplineOffsetDesc* desc, FlgCurveSet* out_set,
+                                  FlgJob* out_job);
+
 FLG_API FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
+
+/* ---- Cables ------------------------------------------------------------------------------------------------------ */
+
+typedef struct FlgCableHangDesc {
+    uint32_t struct_size;
+    uint32_t point_count;    /* of all cables, 2 to 65536 */
+    const FlgJobOptions* job;
+    const double* points;    /* 3 per point, metres: a cable is fixed at each, and hangs from one to the next; read
+                                during the call */
+    const uint32_t* cable_offsets; /* cable_count + 1, from 0 to point_count: where each cable's points begin, at least
+                                2 each. Null: one cable */
+    uint32_t cable_count;    /* 1 to 65536, with cable_offsets. Default 0 */
+    uint32_t segments;       /* straight pieces from a point to the next, 4 to 4096. Default 64 */
+    const double* lengths;   /* one per span from a point of a cable to its next one, metres: at least their distance,
+                                at most 1000 times it. Null: by slack */
+    double slack;            /* by how much spans are longer than the distance of their points, over it: 0 to 999.
+                                Default 0.02 */
+    double gravity[3];       /* the direction in which they hang, any length but 0. Default 0, 0, -1 */
+    FlgObstacles obstacles;  /* of 3 dimensions: what they rest on, without friction. Default none */
+    double origin[3];        /* metres: what `points` are relative to, and the result. Default 0 */
+} FlgCableHangDesc;
+
+FLG_API FlgResult flgCableHangDescInit(FlgCableHangDesc* desc, uint32_t struct_size);
+
+/* Starts a job that hangs cables between points: a curve set with the descriptor's origin, POSITION and TIME (metres
+ * along the cable), a curve per cable. They do not stretch, and bend without resistance. A span that meets nothing as
+ * it falls from the straight way between its points is a catenary, in closed form: its points are evenly along that.
+ * Others come to rest on the obstacles, where their potential energy is least, on the side they fall from: the straight
+ * way or, where that is blocked, the shortest way over the obstacles. Their segments are straight, have their length to
+ * 1e-8 of it, and keep the obstacles' clearance to 1e-6 of the scene's size: of balls, boxes, capsules, half-spaces
+ * and, without a clearance, meshes everywhere; of others at places a 32nd of a segment apart. What is longer than has
+ * room lies on the ground in folds. Points may touch obstacles.
+ * Fails with FLG_ERROR_INVALID_ARGUMENT where a point is inside an obstacle, where a span is too short for the ways
+ * around the obstacles, and where it does not come to rest; with FLG_ERROR_LIMIT above 2^22 segments. Cost: about 0.1
+ * us a segment of a free span; 5 to 50 ms for a span of 64 that rests on something, up to a second on a mesh or where
+ * the straight way is blocked. */
+FLG_API FlgResult flgCableHang(FlgContext context, const FlgCableHangDesc* desc, FlgCurveSet* out_set,
+                               FlgJob* out_job);
 
 /* ---- Defaults by value ------------------------------------------------------------------------------------------- */
 
@@ -631,6 +702,18 @@ static inline FlgSplineSampleDesc flgSplineSampleDefaults(void) {
 static inline FlgSplineSweepDesc flgSplineSweepDefaults(void) {
     FlgSplineSweepDesc desc;
     flgSplineSweepDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSplineOffsetDesc flgSplineOffsetDefaults(void) {
+    FlgSplineOffsetDesc desc;
+    flgSplineOffsetDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgCableHangDesc flgCableHangDefaults(void) {
+    FlgCableHangDesc desc;
+    flgCableHangDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -49,6 +49,12 @@ public:
         return evaluate(x, gradient, second);
     }
 
+    // Whether the signed distance is a convex function: that of a convex solid.
+    virtual bool is_convex() const { return false; }
+    // Whether the straight way from a to b meets the boundary.
+    enum class Meets { no, yes, unknown };
+    virtual Meets meets(const double*, const double*) const { return Meets::unknown; }
+
     // A wireframe of the boundary, moved outwards by `clearance` >= 0 without rounding corners; that of the box if the
     // shape has none of its own.
     virtual void draw(double clearance, Wires& wires) const;

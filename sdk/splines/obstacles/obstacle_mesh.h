@@ -23,6 +23,9 @@ public:
     double evaluate(const double* x, double* gradient, double* second) const override;
     // The second derivatives are those of the distance from the nearest face, edge or corner. 1 us.
     double evaluate_exactly(const double* x, double* gradient, double* second, double exact_below = 0) const override;
+    Meets meets(const double* a, const double* b) const override {
+        return triangles_.is_met(a, b) ? Meets::yes : Meets::no;
+    }
 
 private:
     const SampledDistance& distance_;

@@ -12,6 +12,7 @@ public:
     // centre: `dimension` numbers.
     BallObstacle(uint32_t dimension, const double* centre, double radius);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    bool is_convex() const override { return true; }
     void draw(double clearance, Wires& wires) const override;
 
 private:
@@ -26,6 +27,7 @@ public:
     // half: half its sides along them.
     BoxObstacle(uint32_t dimension, const double* centre, const double* half, const double* axes);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    bool is_convex() const override { return true; }
     void draw(double clearance, Wires& wires) const override;
 
 private:
@@ -38,6 +40,7 @@ class CapsuleObstacle final : public Obstacle {
 public:
     CapsuleObstacle(uint32_t dimension, const double* from, const double* to, double radius);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    bool is_convex() const override { return true; }
     void draw(double clearance, Wires& wires) const override;
 
 private:
@@ -51,6 +54,7 @@ public:
     // through: a place of the boundary. outwards: of any length but 0.
     HalfSpaceObstacle(uint32_t dimension, const double* through, const double* outwards);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    bool is_convex() const override { return true; }
     // A square of the boundary around `through`, in the plane a piece of the line.
     void draw(double clearance, Wires& wires) const override;
 

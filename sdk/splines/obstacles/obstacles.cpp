@@ -54,6 +54,10 @@ double PlacedObstacle::evaluate_exactly(const double* x, double* gradient, doubl
     return obstacle_.evaluate_exactly(moved_back(x).data(), gradient, second, exact_below);
 }
 
+Obstacle::Meets PlacedObstacle::meets(const double* a, const double* b) const {
+    return obstacle_.meets(moved_back(a).data(), moved_back(b).data());
+}
+
 PlacedObstacles::PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, double more_clearance,
                                  Memory* memory)
     : obstacles_(std::move(obstacles)), placed_(memory) {

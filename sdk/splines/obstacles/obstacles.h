@@ -45,6 +45,8 @@ public:
     PlacedObstacle(const Obstacle& obstacle, const Vec3& shift);
     double evaluate(const double* x, double* gradient, double* second) const override;
     double evaluate_exactly(const double* x, double* gradient, double* second, double exact_below = 0) const override;
+    bool is_convex() const override { return obstacle_.is_convex(); }
+    Meets meets(const double* a, const double* b) const override;
 
 private:
     Place moved_back(const double* x) const;

@@ -43,6 +43,23 @@ bool TriangleSolid::holds(const double* x) const {
     return votes[1] == 2;
 }
 
+// By the signs of volumes: on which sides of the triangle the ends are, and of the way its edges.
+bool TriangleSolid::is_met(const double* a, const double* b) const {
+    const Vec3 from(a), to(b), way = to - from, middle = 0.5 * (from + to);
+    bool met = false;
+    tree_.around(middle.data(), 0.5 * way.norm(), [&](uint32_t first, uint32_t end) {
+        for (uint32_t t = first; t < end && !met; ++t) {
+            const Vec3 p = corner(t, 0) - from, q = corner(t, 1) - from, r = corner(t, 2) - from;
+            const Vec3 normal = (q - p).cross(r - p);
+            const double begin = -normal.dot(p), last = normal.dot(way - p);
+            if ((begin > 0 && last > 0) || (begin < 0 && last < 0)) continue;
+            const double u = way.dot(p.cross(q)), v = way.dot(q.cross(r)), w = way.dot(r.cross(p));
+            met = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+        }
+    });
+    return met;
+}
+
 Vec3 TriangleSolid::normal(uint32_t triangle) const {
     const Vec3 a = corner(triangle, 0);
     return (corner(triangle, 1) - a).cross(corner(triangle, 2) - a).normalized();

@@ -272,8 +272,10 @@ namespace Filigree
 
     /// <summary>
     /// The side on which a curve passes an obstacle: while the initial curve is found, the obstacle extends without end
-    /// against the direction. In the plane the optimized curve stays on that side. In space a ball has no other side,
-    /// and the curve may slide over it to where it bends less.
+    /// against the direction: in the plane and in space straight, on a surface along it, as far as the surface is large
+    /// (where that leads back to the obstacle, half way around). In the plane and on surfaces the optimized curve stays
+    /// on that side. In space a ball has no other side, and the curve may slide over it to where it bends less. On a
+    /// surface the job fails for obstacles that do not cut it near their middle, and for directions across it.
     /// </summary>
     public unsafe partial struct FlgObstacleSide
     {
@@ -379,9 +381,9 @@ namespace Filigree
         /// scene's size: there are more nodes where that needs them. A mesh is its triangles, not a grid of them. The
         /// job fails where it can't be had, and says near which obstacle and where. A given point inside an obstacle is
         /// refused; one that touches is not, and beside it the curve may come nearer by a tenth of the barriers'
-        /// radius. The initial curve goes around the obstacles; on a surface `sides` has no effect. `start`,
-        /// `warm_start`, slopes and subdivisions are ignored, but where there is only the border of the manifold's own
-        /// mesh, beyond which given points are passed too; `curve` is refused. Default none
+        /// radius. The initial curve goes around the obstacles. `start`, `warm_start`, slopes and subdivisions are
+        /// ignored, but where there is only the border of the manifold's own mesh, beyond which given points are passed
+        /// too; `curve` is refused. Default none
         /// </summary>
         public FlgObstacles obstacles;
         /// <summary>how the initial curve passes; default null: the shortest way</summary>
@@ -597,5 +599,73 @@ namespace Filigree
         /// </summary>
         public uint conforms;
         public uint reserved;
+    }
+
+    public unsafe partial struct FlgSplineOffsetDesc
+    {
+        public uint struct_size;
+        /// <summary>
+        /// nonzero: a curve that is farther away than a bend is wide keeps the loop it makes there. Default 0: loops
+        /// are cut off
+        /// </summary>
+        public uint keeps_loops;
+        public FlgJobOptions* job;
+        /// <summary>in R^3</summary>
+        public FlgSpline spline;
+        /// <summary>metres to the left of the curve, seen from above; below 0: to the right. Default 0</summary>
+        public double left;
+        /// <summary>metres upwards; below 0: downwards. Default 0</summary>
+        public double above;
+        /// <summary>
+        /// metres between the points of `spline` that it is made of, as of FlgSplineSampleDesc. Default 0
+        /// </summary>
+        public double spacing;
+        /// <summary>
+        /// what is upwards: left is across this direction. 0: the surface's normals, and the way to the left goes
+        /// straight over the surface; in free space as with turns_least. Default 0
+        /// </summary>
+        public fixed double up[3];
+        /// <summary>
+        /// nonzero: `up` counts at the beginning only (0: the surface's normal there; in free space +z, or +y where the
+        /// curve begins along z). From there left and up turn about the curve as little as may be; around a closed one
+        /// they are turned back evenly. Default 0
+        /// </summary>
+        public uint turns_least;
+        public uint reserved;
+    }
+
+    public unsafe partial struct FlgCableHangDesc
+    {
+        public uint struct_size;
+        /// <summary>of all cables, 2 to 65536</summary>
+        public uint point_count;
+        public FlgJobOptions* job;
+        /// <summary>
+        /// 3 per point, metres: a cable is fixed at each, and hangs from one to the next; read during the call
+        /// </summary>
+        public double* points;
+        /// <summary>
+        /// cable_count + 1, from 0 to point_count: where each cable's points begin, at least 2 each. Null: one cable
+        /// </summary>
+        public uint* cable_offsets;
+        /// <summary>1 to 65536, with cable_offsets. Default 0</summary>
+        public uint cable_count;
+        /// <summary>straight pieces from a point to the next, 4 to 4096. Default 64</summary>
+        public uint segments;
+        /// <summary>
+        /// one per span from a point of a cable to its next one, metres: at least their distance, at most 1000 times
+        /// it. Null: by slack
+        /// </summary>
+        public double* lengths;
+        /// <summary>
+        /// by how much spans are longer than the distance of their points, over it: 0 to 999. Default 0.02
+        /// </summary>
+        public double slack;
+        /// <summary>the direction in which they hang, any length but 0. Default 0, 0, -1</summary>
+        public fixed double gravity[3];
+        /// <summary>of 3 dimensions: what they rest on, without friction. Default none</summary>
+        public FlgObstacles obstacles;
+        /// <summary>metres: what `points` are relative to, and the result. Default 0</summary>
+        public fixed double origin[3];
     }
 }
