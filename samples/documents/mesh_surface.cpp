@@ -2,6 +2,7 @@
 #include "documents/mesh_surface.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "documents/extensions.h"
@@ -46,8 +47,10 @@ void describe(const MeshFile& file, const FlgSurfaceReport& made, Report& report
 
 MeshSurface::MeshSurface(Session& session, const std::string& file, float weld_distance, Report& report,
                          bool with_provenance)
-    : context_(session.context()), file_(file) {
-    for (uint32_t i = 0; i < file_.info().warning_count; ++i) report.warn(file + ": " + file_.info().warnings[i]);
+    : context_(session.context()), file_(file), has_provenance_(with_provenance) {
+    // What the mesh alone leaves out is written with the asset.
+    const uint32_t warnings = with_provenance ? 0 : file_.info().warning_count;
+    for (uint32_t i = 0; i < warnings; ++i) report.warn(file + ": " + file_.info().warnings[i]);
     FlgSurfaceDesc desc;
     flgSurfaceDescInit(&desc, sizeof desc);
     desc.mesh = &file_.view();
@@ -75,7 +78,8 @@ FlgSurfaceProvenanceView MeshSurface::provenance() const {
 std::string MeshSurface::defects() const {
     std::string text;
     for (const auto& [what, count] : defects_of(report_)) {
-        if (count == 0) continue;
+        // Vertices apart at seams are no defect of an asset, and are apart again when it is written.
+        if (count == 0 || (has_provenance_ && std::string_view(what) == "welded_vertices")) continue;
         std::string words = what;
         std::replace(words.begin(), words.end(), '_', ' ');
         text += (text.empty() ? "" : ", ") + words + " " + std::to_string(count);

@@ -36,6 +36,7 @@ public:
 private:
     FlgContext context_;
     MeshFile file_;
+    bool has_provenance_;
     FlgSurface surface_ = {};
     FlgSurfaceReport report_ = {};
 };

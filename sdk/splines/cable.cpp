@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
 
 #include "core/failure.h"
@@ -159,7 +160,7 @@ struct HangingChain {
     Buffer<Vec3> places, trial, gradient;
     Buffer<ForceRates> diagonal, coupling;
     Buffer<double> tension;               // over the weight of a metre: metres
-    std::pmr::vector<Contacts> contacts;  // one a piece
+    std::pmr::deque<Contacts> contacts;   // one a piece; blocks, which go back one by one
     double stiffness = 0;                 // metres a metre
     double reach = 0;                     // metres: so near obstacles have planes
     double damping = 0;
@@ -592,7 +593,6 @@ Task<HungCable> hang_cable(Pace& pace, const ObstacleSet* obstacles, Vec3 from, 
     chain.reach = std::max(reach_share * length, chain.length);
     chain.damping = first_damping;
     co_await each(pace, segments, Cost::some_ns, [&](uint32_t i) { chain.tension[i] = 0; });
-    chain.contacts.reserve(segments);
     co_await each(pace, segments, Cost::hundreds_of_ns, [&](uint32_t i) {
         const bool is_end = i == 0 || i + 1 == segments;
         chain.contacts.emplace_back().margin = is_end ? 0 : rest;
@@ -625,6 +625,9 @@ Task<HungCable> hang_cable(Pace& pace, const ObstacleSet* obstacles, Vec3 from, 
         if (breaches.empty()) {
             co_await each(pace, size_t{segments} + 1, Cost::some_ns,
                           [&](uint32_t i) { out.places[i] = chain.places[i]; });
+            Slice slice(Cost::hundreds_of_ns);
+            for (; !chain.contacts.empty(); chain.contacts.pop_back())
+                if (slice.is_over()) co_await pace;
             co_return out;
         }
         keep_farther(chain, breaches, rest);
