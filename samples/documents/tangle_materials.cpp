@@ -47,6 +47,7 @@ std::vector<ScriptMaterial> read_materials(const JsonPlace& list, bool has_own, 
         if (const auto keep = entry.find("keep"); keep && keep->flag()) {
             if (!has_own)
                 keep->fail("the mesh is no .gltf or .glb file that is written as .glb: it has no materials to keep");
+            entry.allow({"on", "name", "keep"});
             material.is_kept = true;
             material.look = usual;
             continue;

@@ -178,7 +178,7 @@ ResultArrays arrays_of(const Surface& surface) {
     const Mesh& mesh = surface.mesh();
     ResultArrays arrays;
     arrays.add(FLG_ATTRIBUTE_POSITION, 3, mesh.positions.data()->data());
-    for (size_t c = 0; c < surface.columns.size(); ++c)
+    for (size_t c = 0; c < surface.attributes.size(); ++c)
         arrays.add(surface.attributes[c], surface.columns[c].components, surface.columns[c].values.data());
     arrays.rows = mesh.vertex_count();
     arrays.triangle_count = mesh.triangle_count();

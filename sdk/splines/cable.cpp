@@ -159,10 +159,10 @@ struct HangingChain {
     Vec3 down;
     Buffer<Vec3> places, trial, gradient;
     Buffer<ForceRates> diagonal, coupling;
-    Buffer<double> tension;               // over the weight of a metre: metres
-    std::pmr::deque<Contacts> contacts;   // one a piece; blocks, which go back one by one
-    double stiffness = 0;                 // metres a metre
-    double reach = 0;                     // metres: so near obstacles have planes
+    Buffer<double> tension;              // over the weight of a metre: metres
+    std::pmr::deque<Contacts> contacts;  // one a piece; blocks, which go back one by one
+    double stiffness = 0;                // metres a metre
+    double reach = 0;                    // metres: so near obstacles have planes
     double damping = 0;
     bool is_equal = false;  // pieces have their length; else at most that
 };
@@ -425,13 +425,14 @@ Task<std::pmr::vector<Breach>> find_breaches(Pace& pace, const ObstacleSet& set,
 }
 
 // What is inside keeps farther away.
-void keep_farther(HangingChain& chain, const std::pmr::vector<Breach>& breaches, double rest) {
-    for (const Breach& breach : breaches) {
+Task<void> keep_farther(Pace& pace, HangingChain& chain, const std::pmr::vector<Breach>& breaches, double rest) {
+    co_await each(pace, breaches.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
+        const Breach& breach = breaches[i];
         Contacts& contact = chain.contacts[breach.piece];
         if (contact.is_refined || chain.set[breach.obstacle].is_convex())
             contact.margin += std::min(1.5 * breach.depth, 10 * rest) + 0.1 * rest;
         contact.is_refined = true;
-    }
+    });
 }
 
 Task<bool> is_free(Pace& pace, const ObstacleSet& set, const Buffer<Vec3>& places, double slack) {
@@ -456,12 +457,15 @@ Task<bool> is_swept_free(Pace& pace, const ObstacleSet& set, const std::pmr::vec
         const bool free = co_await is_free(pace, set, between, slack);
         if (!free) co_return false;
     }
-    Buffer<Vec3> fall(2, pace.memory());
+    Slice slice(Cost::microseconds);
     for (uint32_t i = 1; i < pieces; ++i) {
-        fall[0] = from + (to - from) * (static_cast<double>(i) / pieces);
-        fall[1] = places[i];
-        const bool free = co_await is_free(pace, set, fall, slack);
-        if (!free) co_return false;
+        const Vec3 above = from + (to - from) * (static_cast<double>(i) / pieces);
+        for (uint32_t k = 0; k < set.count(); ++k) {
+            double at = 0;
+            const double least = least_distance(set, k, above, places[i], &at);
+            if (least < -slack) co_return false;
+            if (slice.is_over(least < HUGE_VAL ? 4 : 1)) co_await pace;
+        }
     }
     co_return true;
 }
@@ -630,7 +634,7 @@ Task<HungCable> hang_cable(Pace& pace, const ObstacleSet* obstacles, Vec3 from, 
                 if (slice.is_over()) co_await pace;
             co_return out;
         }
-        keep_farther(chain, breaches, rest);
+        co_await keep_farther(pace, chain, breaches, rest);
         placed = std::min(placed, settle_rounds - again_rounds);
         before = HUGE_VAL;
     }

@@ -114,7 +114,9 @@ TEST_F(SkeletonCommand, PlainContoursArePartsInOnePlane) {
 
 TEST_F(SkeletonCommand, SketchesHaveADepth) {
     folder.write("SketchPolyline0.txt", "4\n0 0 26\n9 0 26\n9 2 26\n0 0 26\n");
-    for (const Json& joint : bones({"SketchPolyline0.txt"}).at("joints")) EXPECT_EQ(joint.at("position")[2], 26.0);
+    const Json lifted = bones({"SketchPolyline0.txt"});
+    EXPECT_GT(lifted.at("joints").size(), 0u);
+    for (const Json& joint : lifted.at("joints")) EXPECT_EQ(joint.at("position")[2], 26.0);
     folder.write("SketchPolyline1.txt", "4\n0 0 26\n9 0 27\n9 2 26\n0 0 26\n");
     expect_refused({"skeleton", "SketchPolyline1.txt", "--bones", "out.json"}, 1, {"SketchPolyline1.txt:3", "plane"});
 }
@@ -130,8 +132,9 @@ TEST_F(SkeletonCommand, MeshesArePartsByTheirSilhouettes) {
         EXPECT_NEAR(joint.at("position")[1].get<double>(), 0, 1e-5);
         EXPECT_NEAR(joint.at("position")[2].get<double>(), 3, 1e-5);
     }
-    for (const Json& joint : bones({"bar.obj", "--prune", "0.1", "--from", "1,0,0"}).at("joints"))
-        EXPECT_NEAR(joint.at("position")[0].get<double>(), 0, 1e-5);
+    const Json aside = bones({"bar.obj", "--prune", "0.1", "--from", "1,0,0"});
+    EXPECT_GT(aside.at("joints").size(), 0u);
+    for (const Json& joint : aside.at("joints")) EXPECT_NEAR(joint.at("position")[0].get<double>(), 0, 1e-5);
 }
 
 TEST_F(SkeletonCommand, CrossingsAreRepairedOnRequest) {
@@ -151,7 +154,8 @@ TEST_F(SkeletonCommand, NamesLastWhenALimbMoves) {
         std::vector<std::string> arguments = {"person.json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         std::map<std::string, std::array<double, 2>> out;
-        for (const Json& joint : bones(arguments).at("joints"))
+        const Json made = bones(arguments);
+        for (const Json& joint : made.at("joints"))
             out[joint.at("name")] = {joint.at("position")[0], joint.at("position")[1]};
         return out;
     };

@@ -239,7 +239,8 @@ private:
         PoseOptions pose;
         if (const auto time = place.find("time")) pose.time = time->real(-kFar, kFar);
         read(place, "animation", pose.animation);
-        panels::SkinLayer layer{skin.view(), {}, pose_skin(skin, pose).transforms};
+        panels::SkinLayer layer{skin.view(), look_of(skin), pose_skin(skin, pose).transforms};
+        if (place.find("color")) layer.look = {};
         read_material(place, layer.look.material);
         panel.skins.push_back(std::move(layer));
     }

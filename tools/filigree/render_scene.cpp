@@ -120,6 +120,23 @@ render::SurfaceLook look_of(const MeshFile& mesh) {
     return look;
 }
 
+render::SurfaceLook look_of(const SkinFile& skin) {
+    render::SurfaceLook look;
+    std::vector<render::Material> materials = materials_of(skin.materials());
+    for (render::Material& material : materials) material.border_width_px = 0.0f;
+    const float* const colors = skin.info().vertex_colors;
+    if (materials.empty() && !colors && skin.info().part_count > 1) {
+        look.regions = region_materials();
+    } else if (materials.size() == 1) {
+        look.material = materials[0];
+    } else {
+        look.regions = materials;
+    }
+    look.textures = textures_of(skin.textures(), skin.name());
+    if (colors) look.vertex_colors = {colors, 4 * size_t{skin.view().vertex_count}};
+    return look;
+}
+
 RenderScene::RenderScene(const SceneOptions& options, Report& report) : options_(options) {
     uint64_t curves = 0, points = 0, vertices = 0, triangles = 0;
     for (const std::string& name : options.files) {
@@ -188,20 +205,7 @@ void RenderScene::read_field(Report& report) {
 
 void RenderScene::upload_skins(render::Renderer& renderer) const {
     for (const Skin& skin : skins_) {
-        render::SurfaceLook look;
-        std::vector<render::Material> materials = materials_of(skin.file.materials());
-        // Poses move no lines.
-        for (render::Material& material : materials) material.border_width_px = 0.0f;
-        const float* const colors = skin.file.info().vertex_colors;
-        if (materials.empty() && !colors && skin.file.info().part_count > 1) {
-            look.regions = region_materials();
-        } else if (materials.size() == 1) {
-            look.material = materials[0];
-        } else {
-            look.regions = materials;
-        }
-        look.textures = textures_of(skin.file.textures(), skin.file.name());
-        if (colors) look.vertex_colors = {colors, 4 * size_t{skin.file.view().vertex_count}};
+        const render::SurfaceLook look = look_of(skin.file);
         renderer.set_pose(renderer.upload(morphed(skin.file, skin.pose), look), options_.pose.skinning,
                           skin.pose.transforms);
     }

@@ -27,6 +27,8 @@ struct SceneOptions {
 
 // By the file's materials; where it has several regions and none, in colours of ours with lines between.
 render::SurfaceLook look_of(const MeshFile& mesh);
+// Likewise by parts; without lines, which no pose moves.
+render::SurfaceLook look_of(const SkinFile& skin);
 
 class RenderScene {
 public:

@@ -125,9 +125,10 @@ String bounds_of(std::span<const float> positions, size_t first, size_t count) {
 
 }  // namespace
 
-size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, size_t first, size_t count) {
+size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, size_t first, size_t count,
+                                 const String& further) {
     return add_accessor(view, first * components * sizeof(float), count, glb_float, "VEC3",
-                        bounds_of(positions, first, count));
+                        bounds_of(positions, first, count) + further);
 }
 
 size_t GlbBuilder::add_moves(std::span<const float> moves, bool with_bounds) {

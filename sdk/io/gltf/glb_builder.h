@@ -66,7 +66,8 @@ public:
     // How vertices move, three floats each: sparse where that is smaller. Returns the accessor's index.
     size_t add_moves(std::span<const float> moves, bool with_bounds);
     // Points first .. first + count - 1 of a view of positions.
-    size_t add_positions(size_t view, std::span<const float> positions, size_t first, size_t count);
+    size_t add_positions(size_t view, std::span<const float> positions, size_t first, size_t count,
+                         const String& further = "");
 
     // `rest` is what follows the mode, such as `,"indices":3`.
     void add_primitive(const String& attributes, int mode, const String& rest);

@@ -114,7 +114,7 @@ private:
             std::prev(behind)->triangles.push_back(t);
         }
         records_of_vertex_.assign(mesh_.vertex_count(), no_record);
-        bent_.assign(mesh_.vertex_count(), false);
+        bent_.assign(mesh_.triangle_count(), false);
         // Displaced by less than this is not displaced: positions were rounded.
         Vec3 size{};
         for (size_t v = 0; v < mesh_.vertex_count(); ++v) {
@@ -127,7 +127,7 @@ private:
             for (const uint32_t t : shown.triangles) {
                 bool moved = false;
                 for (uint32_t k = 0; k < 3; ++k) moved |= corner_of(shown, t, k).is_moved;
-                for (uint32_t k = 0; moved && k < 3; ++k) bent_[mesh_.triangle(t)[k]] = true;
+                bent_[t] = moved;
             }
         }
     }
@@ -164,7 +164,7 @@ private:
                 mix.position = *back;
             }
         }
-        mix.is_bent = bent_[mix.vertex];
+        mix.is_bent = bent_[t];
         return mix;
     }
 
@@ -192,13 +192,10 @@ private:
         uint32_t& kept = record_of_own_[mix.from[0]];
         const auto same = [&](uint32_t record) {
             const MixedVertex& other = records_[record];
-            return other.count == mix.count &&
+            return other.is_bent == mix.is_bent && other.count == mix.count &&
                    std::equal(mix.from.begin(), mix.from.begin() + mix.count, other.from.begin());
         };
-        if (mix.count == 1 && kept != no_record) {
-            const MixedVertex& other = records_[kept];
-            if (other.vertex == mix.vertex || (!other.is_bent && !mix.is_bent)) return kept;
-        }
+        if (mix.count == 1 && !mix.is_bent && kept != no_record) return kept;
         uint32_t& head = records_of_vertex_[mix.vertex];
         for (uint32_t record = head; record != no_record; record = next_record_[record])
             if (same(record)) return record;
@@ -206,7 +203,7 @@ private:
         records_.push_back(mix);
         next_record_.push_back(head);
         head = record;
-        if (mix.count == 1 && kept == no_record) kept = record;
+        if (mix.count == 1 && !mix.is_bent) kept = record;
         return record;
     }
 
@@ -278,7 +275,8 @@ private:
                 if (!corner.is_bent) continue;
                 const Vec3 own = normal_of(corner);
                 for (uint32_t r = records_of_vertex_[corner.vertex]; r != no_record; r = next_record_[r])
-                    if (!stored || dot(before[r], own) > same_side) records_[r].normal = records_[r].normal + area;
+                    if (records_[r].is_bent && (!stored || dot(before[r], own) > same_side))
+                        records_[r].normal = records_[r].normal + area;
             }
         }
         for (size_t r = 0; r < records_.size(); ++r) {
@@ -328,11 +326,11 @@ private:
         String rest;
         for (const JsonMember& member : json.members()) {
             if (member.name == "attributes" || member.name == "indices" || member.name == "mode" ||
-                member.name == "material" || member.name == "targets")
+                member.name == "material" || member.name == "targets" || member.name == "extensions")
                 continue;
             rest += "," + json_text(member.name) + ":" + json_text(member.value);
         }
-        const String attributes =
+        const MixedAttributes attributes =
             add_mixed_attributes(document_, *json.find("attributes"), shown.place + ".attributes", records_, *glb_);
         String targets;
         const Json* const shapes = gltf_array(json, "targets", shown.place);
@@ -345,22 +343,52 @@ private:
         String text;
         for (const auto& [material, list] : corners) {
             separate(text);
-            text += "{\"attributes\":{" + attributes + "},\"indices\":" + to_text(glb_->add_indices(list));
-            const Json* const own = json.find("material");
-            if (material != own_material)
-                text += ",\"material\":" + to_text(new_material(static_cast<uint32_t>(material)));
-            else if (own)
+            // Colours of vertices would tint what has a material of its own.
+            text += "{\"attributes\":{" + attributes.uncolored + (material == own_material ? attributes.colors : "") +
+                    "},\"indices\":" + to_text(glb_->add_indices(list));
+            if (material != own_material) {
+                const auto label = static_cast<uint32_t>(material);
+                text += ",\"material\":" + to_text(new_material(label, is_two_sided(json)));
+            } else if (const Json* const own = json.find("material")) {
                 text += ",\"material\":" + json_text(*own);
+            }
+            text += extensions_of(json, material == own_material);
             text += rest + "}";
         }
         return text;
     }
 
-    uint64_t new_material(uint32_t label) {
-        const auto [found, is_new] = materials_.try_emplace(label, document_.size("materials") + materials_.size());
+    // Sheets are seen from both sides with any material.
+    bool is_two_sided(const Json& primitive) const {
+        const Json* const own = primitive.find("material");
+        if (!own || !own->is_count() || own->count() >= document_.size("materials")) return false;
+        const Json* const value = document_.element("materials", own->count(), "materials").find("doubleSided");
+        return value && value->is_boolean() && value->boolean();
+    }
+
+    // Without what would put the triangles of before, or a variant of the material, in the place of these.
+    static String extensions_of(const Json& primitive, bool has_own_material) {
+        const Json* const extensions = primitive.find("extensions");
+        String text;
+        if (!extensions) return text;
+        for (const JsonMember& extension : extensions->members()) {
+            if (extension.name == "KHR_draco_mesh_compression" ||
+                (!has_own_material && extension.name == "KHR_materials_variants"))
+                continue;
+            separate(text);
+            text += json_text(extension.name) + ":" + json_text(extension.value);
+        }
+        return text.empty() ? text : ",\"extensions\":{" + text + "}";
+    }
+
+    uint64_t new_material(uint32_t label, bool two_sided) {
+        const auto [found, is_new] =
+            materials_.try_emplace({label, two_sided}, document_.size("materials") + materials_.size());
         if (is_new) {
+            FlgMeshMaterial material = mesh_.materials()[label];
+            if (two_sided) material.two_sided = 1;
             separate(material_texts_);
-            material_texts_ += json_material(mesh_.materials()[label], "region " + to_text(label));
+            material_texts_ += json_material(material, "region " + to_text(label));
         }
         return found->second;
     }
@@ -605,7 +633,7 @@ private:
     const CheckedMesh& mesh_;
     const FlgSurfaceProvenanceView& provenance_;
     Vector<ShownPrimitive> shown_;
-    Vector<bool> bent_;  // vertices of triangles that were moved
+    Vector<bool> bent_;  // triangles with a vertex that was moved
     double tolerance_ = 0;
 
     // Of the primitive at hand; those of one vertex of the surface are a list.
@@ -614,14 +642,21 @@ private:
 
     std::optional<GlbBuilder> glb_;
     Vector<KeptRange> kept_;
-    Map<uint32_t, uint64_t> materials_;  // by label
+    Map<std::pair<uint32_t, bool>, uint64_t> materials_;  // by label, and whether both sides are seen
     String material_texts_;
 };
 
 }  // namespace
 
 String write_glb_asset(const Path& asset, const CheckedMesh& mesh) {
-    return AssetWriter(asset, mesh).write();
+    try {
+        return AssetWriter(asset, mesh).write();
+    } catch (const Failure& failure) {
+        // What is wrong is in the asset, or in what the host hands over.
+        if (failure.place().starts_with("desc.")) throw;
+        const String separator = failure.place().empty() ? "" : ":";
+        fail(failure.result(), asset.name() + separator + failure.place(), "%s", failure.what());
+    }
 }
 
 }  // namespace flg::io

@@ -284,6 +284,8 @@ ByteBlock GltfDocument::load_uri(std::string_view uri, const String& place) cons
         fail(FLG_ERROR_FORMAT, place, "must be a relative path below the file's folder: %s", cited(name).c_str());
     }
     const Path target = path_.beside(name);
+    if (!target.host() && !file_exists(target))
+        fail(FLG_ERROR_FILE, place, "can't be opened: %s is not there", cited(name).c_str());
     if (!stays_beside(target, path_)) {
         fail(FLG_ERROR_FORMAT, place, "leads out of the file's folder: %s", cited(name).c_str());
     }

@@ -58,7 +58,10 @@ public:
             if (seen[visit.node]) fail(FLG_ERROR_FORMAT, place, "is shown twice: nodes must form trees");
             seen[visit.node] = true;
             const Transform transform = compose(visit.parent, local_transform(node, place));
-            if (node.find("mesh")) mesh(gltf_required(node, "mesh", place), visit.node, transform, place + ".mesh");
+            // A skinned mesh moves with its joints alone.
+            if (node.find("mesh"))
+                mesh(gltf_required(node, "mesh", place), visit.node, node.find("skin") ? world_ : transform,
+                     place + ".mesh");
             const Vector<uint64_t> children = read_node_list(node, "children", place);
             for (size_t i = children.size(); i-- > 0;) stack.push_back({children[i], transform});
         }

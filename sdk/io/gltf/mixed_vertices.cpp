@@ -6,6 +6,7 @@
 
 #include "io/base/failure.h"
 #include "io/base/json_text.h"
+#include "io/gltf/gltf_scene.h"
 
 namespace flg::io {
 
@@ -30,12 +31,12 @@ GltfValues read_values(const GltfDocument& document, const JsonMember& attribute
 
 void append_mixed(const GltfValues& values, const MixedVertex& vertex, Vector<float>& to) {
     for (uint32_t c = 0; c < values.components; ++c) {
-        if (vertex.count == 1) {
-            to.push_back(values.number(vertex.from[0], c));
-            continue;
-        }
         double sum = 0;
-        for (uint32_t k = 0; k < vertex.count; ++k) sum += vertex.weights[k] * values.number(vertex.from[k], c);
+        for (uint32_t k = 0; k < vertex.count; ++k) {
+            const float value = values.number(vertex.from[k], c);
+            if (!std::isfinite(value)) refuse_value(values, vertex.from[k], value);
+            sum += vertex.count == 1 ? double{value} : vertex.weights[k] * value;
+        }
         to.push_back(static_cast<float>(sum));
     }
 }
@@ -95,11 +96,24 @@ Vector<float> mixed_directions(const GltfValues& values, std::span<const MixedVe
     return to;
 }
 
-size_t add(GlbBuilder& glb, const Vector<float>& values, uint32_t components, bool with_bounds) {
+// What an accessor has besides its values: a name, extras, extensions.
+String further_members(const GltfDocument& document, const JsonMember& attribute) {
+    constexpr std::string_view known[] = {"bufferView", "byteOffset", "componentType", "count", "type",
+                                          "normalized", "sparse",     "min",           "max"};
+    String text;
+    for (const JsonMember& member : document.element("accessors", attribute.value.count(), "accessors").members()) {
+        if (std::find(std::begin(known), std::end(known), member.name) == std::end(known))
+            text.append(",").append(json_text(member.name)).append(":").append(json_text(member.value));
+    }
+    return text;
+}
+
+size_t add(GlbBuilder& glb, const Vector<float>& values, uint32_t components, bool with_bounds,
+           const String& further = "") {
     const size_t view = glb.add_view(values, components);
     const size_t count = values.size() / components;
-    return with_bounds ? glb.add_positions(view, values, 0, count)
-                       : glb.add_accessor(view, 0, count, glb_float, types[components]);
+    return with_bounds ? glb.add_positions(view, values, 0, count, further)
+                       : glb.add_accessor(view, 0, count, glb_float, types[components], further);
 }
 
 struct Influence {
@@ -176,9 +190,10 @@ String add_influences(const GltfDocument& document, const Json& attributes, cons
 
 }  // namespace
 
-String add_mixed_attributes(const GltfDocument& document, const Json& attributes, const String& place,
-                            std::span<const MixedVertex> vertices, GlbBuilder& glb) {
+MixedAttributes add_mixed_attributes(const GltfDocument& document, const Json& attributes, const String& place,
+                                     std::span<const MixedVertex> vertices, GlbBuilder& glb) {
     String members;
+    MixedAttributes out;
     for (const JsonMember& attribute : attributes.members()) {
         if (attribute.name.starts_with("JOINTS_") || attribute.name.starts_with("WEIGHTS_")) continue;
         const GltfValues values = read_values(document, attribute, place, vertices);
@@ -196,10 +211,14 @@ String add_mixed_attributes(const GltfDocument& document, const Json& attributes
             numbers[3 * i + 1] = static_cast<float>(position.y);
             numbers[3 * i + 2] = static_cast<float>(position.z);
         }
-        members += ",\"" + String(attribute.name) + "\":" + to_text(add(glb, numbers, values.components, of_positions));
+        const size_t accessor =
+            add(glb, numbers, values.components, of_positions, further_members(document, attribute));
+        String& list = attribute.name == "COLOR_0" ? out.colors : members;
+        list.append(",").append(json_text(attribute.name)).append(":").append(to_text(accessor));
     }
     members += add_influences(document, attributes, place, vertices, glb);
-    return members.substr(1);
+    out.uncolored = members.substr(1);
+    return out;
 }
 
 String add_mixed_target(const GltfDocument& document, const Json& target, const String& place,

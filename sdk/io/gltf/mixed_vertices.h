@@ -26,9 +26,14 @@ struct MixedVertex {
     Vec3 position, normal;
 };
 
-// Adds them all; returns the members of the primitive's `attributes`.
-String add_mixed_attributes(const GltfDocument& document, const Json& attributes, const String& place,
-                            std::span<const MixedVertex> vertices, GlbBuilder& glb);
+// The members of a primitive's `attributes`; those of COLOR_0, with a comma before, apart.
+struct MixedAttributes {
+    String uncolored, colors;
+};
+
+// Adds them all. Refuses values that are not finite.
+MixedAttributes add_mixed_attributes(const GltfDocument& document, const Json& attributes, const String& place,
+                                     std::span<const MixedVertex> vertices, GlbBuilder& glb);
 
 // Of one of its `targets`: how the vertices move.
 String add_mixed_target(const GltfDocument& document, const Json& target, const String& place,
