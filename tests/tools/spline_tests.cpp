@@ -221,6 +221,11 @@ TEST_F(SplineCommand, CablesHangAndRest) {
     };
     refused({"--cable-lengths", "3"}, 1, "lengths[0] is 3");
     refused({"--cable-lengths", "5,5"}, 2, "has 2 lengths, points.xyz has 1 spans");
+    // What would do nothing is no option of a cable's.
+    for (const Strings& more : {Strings{"--closed"}, {"--offset", "1"}, {"--road", "1"}, {"--points", "9"}})
+        refused(more, 2, more[0].c_str());
+    refused({"--cable-lengths", "5", "--slack", "0.1"}, 2, "--slack");
+    expect_refused({"spline", "space", "points.xyz", "-o", "out.xyz", "--slack", "0.1"}, 2, {"--slack", "--cable"});
     refused({"--gravity", "0,0,0"}, 1, "gravity");
     expect_refused({"spline", "sphere:1", "points.xyz", "-o", "out.xyz", "--cable"}, 2, {"SURFACE must be space"});
 }

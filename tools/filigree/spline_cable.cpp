@@ -9,23 +9,33 @@
 namespace flg::cli {
 
 void add_cable_options(CLI::App& app, CableOptions& options) {
-    app.add_flag("--cable", options.is_wanted,
-                 "In place of the curve, a cable that hangs from each point to the next and rests on the obstacles; "
-                 "SURFACE must be space");
+    CLI::Option* const cable = app.add_flag(
+        "--cable", options.is_wanted,
+        "In place of the curve, a cable that hangs from each point to the next and rests on the obstacles; "
+        "SURFACE must be space");
     app.add_option("--slack", options.slack, "How much longer than their distance the cable is between points, over it")
         ->check(CLI::Range(0.0, 999.0))
+        ->needs(cable)
         ->capture_default_str();
     app.add_option("--cable-lengths", options.lengths,
                    "Its length from each point to the next (metres), in place of --slack")
         ->delimiter(',')
+        ->needs(cable)
+        ->excludes("--slack")
         ->type_name("L,...");
     app.add_option("--gravity", options.gravity, "The direction in which it hangs; default 0,0,-1")
         ->delimiter(',')
         ->expected(3)
+        ->needs(cable)
         ->type_name("X,Y,Z");
     app.add_option("--cable-segments", options.segments, "Straight pieces from a point to the next")
         ->check(CLI::Range(4u, 4096u))
+        ->needs(cable)
         ->capture_default_str();
+    // What makes curves, and what is made of these.
+    for (const char* const name : {"--closed", "--points", "--height", "--corners", "--fit-output", "--offset",
+                                   "--offset-above", "--road", "--road-output"})
+        cable->excludes(name);
 }
 
 FlgCurveSet hang_cables(Session& session, const CableOptions& options, const SpaceLines& lines, FlgObstacles obstacles,

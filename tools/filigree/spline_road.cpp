@@ -50,24 +50,30 @@ void add_road_options(CLI::App& app, RoadOptions& options) {
     app.add_option("--road-output", options.output, "Where it is written: .obj, .ply, .off or .glb")->type_name("MESH");
     app.add_option("--road-columns", options.columns, "Quads across")
         ->check(CLI::Range(1u, 256u))
+        ->needs("--road")
         ->capture_default_str();
     app.add_option("--road-spacing", options.spacing,
                    "From one row to the next (metres); 0: a row at each point of the curve")
         ->check(at_least_zero())
+        ->needs("--road")
         ->capture_default_str();
     app.add_option("--road-height", options.height, "Lifts it along its normals (metres)")
         ->check(finite())
+        ->needs("--road")
         ->capture_default_str();
     app.add_option("--road-up", options.up, "Makes rows straight, and level across this direction: 0,0,1")
         ->delimiter(',')
         ->expected(3)
+        ->needs("--road")
         ->type_name("X,Y,Z");
     app.add_option("--road-bank", options.bank,
                    "Makes rows straight, and leans them into bends: the square of a speed over 9.81 (metres)")
         ->check(finite())
+        ->needs("--road")
         ->capture_default_str();
     app.add_option("--road-texture", options.texture_length, "Length of a texture along it (metres); 0: its width")
         ->check(at_least_zero())
+        ->needs("--road")
         ->capture_default_str();
 }
 
