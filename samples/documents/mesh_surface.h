@@ -49,8 +49,8 @@ enum class Regions { kept, needed };
 // UsageError, InputError.
 void require_mesh_output(const std::string& path, Regions regions);
 
-// Writes the .gltf or .glb file of a surface, made with its provenance, with the surface's triangles in place of its own;
-// by `labels` with these materials, with the asset's from their number on. Throws InputError.
+// Writes the .gltf or .glb file of a surface, made with its provenance, with the surface's triangles in place of its
+// own; by `labels` with these materials, with the asset's from their number on. Throws InputError.
 void write_asset(const std::string& path, const MeshSurface& surface, const std::vector<uint32_t>& labels,
                  std::span<const FlgMeshMaterial> materials);
 

@@ -22,8 +22,8 @@ public:
     // Makes the tangle of the surface. Throws InputError, as does all below.
     TangleScript(Session& session, const MeshSurface& surface, Report& report);
 
-    // Runs all operations of a script, a JSON value of the file `name`. `has_own_materials`: of the mesh, kept where the
-    // script gives none.
+    // Runs all operations of a script, a JSON value of the file `name`. `has_own_materials`: of the mesh, kept where
+    // the script gives none.
     void run(const nlohmann::json& script, const std::string& name, bool has_own_materials);
 
     FlgTangle tangle() const { return tangle_; }

@@ -5,9 +5,9 @@
 //    beside the middle. Tips that branch apart near their ends are one foot. With four feet, limbs that end a little
 //    higher are legs too.
 // 2. The trunk is what two feet hang on, and the root. Seen from the side it goes on along thick level bones.
-// 3. Arms are the two mirrored tips with the longest ways to the joint where they meet; those with no head between them,
-//    as ears, come last. With two legs or less this may be anywhere above the trunk, and is trunk then; with more it
-//    must be the trunk itself. Where none are mirrored, two of about the same length on both sides.
+// 3. Arms are the two mirrored tips with the longest ways to the joint where they meet; those with no head between
+//    them, as ears, come last. With two legs or less this may be anywhere above the trunk, and is trunk then; with more
+//    it must be the trunk itself. Where none are mirrored, two of about the same length on both sides.
 // 4. The head is, of the limbs in the middle, the thickest and highest. Where it hangs on an arm, that part is trunk.
 // 5. The tail is the longest other limb in the middle that does not hang on the chest.
 // What branches off a limb, and what else hangs on the trunk, is none of these.

@@ -63,7 +63,7 @@ public:
     MeshExtent extent;
     MeshColumns columns;                        // beside the position; behind them the sources' weights, if asked for
     std::pmr::vector<FlgAttribute> attributes;  // of the columns that the host sees
-    // The vertices of the input's triangles, welded, in the input's order; null: no one asked where triangles are on it.
+    // The vertices of the input's triangles, welded, in the input's order; null: no one asked where triangles lie.
     std::shared_ptr<const Buffer<Triple>> input_triangles;
     // The revision at which a triangle got its vertices; those behind the end have the present one.
     GrowingBuffer<uint32_t> shaped_at;

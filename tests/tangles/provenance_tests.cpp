@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the triangles of an ornamented surface lie on the mesh that it was made of: two ways of carrying a column agree,
-// and the triangles cover each of the input's, once.
+// Where the triangles of an ornamented surface lie on the mesh that it was made of: two ways of carrying a column
+// agree, and the triangles cover each of the input's, once.
 #include "tangles/random_session.h"
 
 namespace flg::test {

@@ -314,8 +314,8 @@ uint32_t where_they_meet(const FlgModelView& view, uint32_t a, uint32_t b) {
     return std::max(a, b);
 }
 
-// Standards want the hips to be the root, where the legs meet; the middle of a trunk may be higher up, with a large head
-// as high as the chest. Returns whether the drawing was changed; a root that it names stays.
+// Standards want the hips to be the root, where the legs meet; the middle of a trunk may be higher up, with a large
+// head as high as the chest. Returns whether the drawing was changed; a root that it names stays.
 bool begin_at_hips(const FlgModelView& view, const std::string& subject, ModelDrawing& drawing) {
     if (!drawing.root.empty() || !drawing.root_joint.empty() || view.joint_count > FLG_RIG_MAX_JOINTS) return false;
     const ModelRig rig(view.joint_positions, view, left_of(drawing), subject);
@@ -332,6 +332,43 @@ bool begin_at_hips(const FlgModelView& view, const std::string& subject, ModelDr
     drawing.root = drawing.parts[view.part_sources[view.joint_parts[hips]]].name;
     drawing.root_joint = view.joint_keys[hips];
     return true;
+}
+
+bool has_all_bones(FlgRigStandard standard, const FlgModelView& view, const ModelDrawing& drawing,
+                   const std::string& subject) {
+    if (view.joint_count > FLG_RIG_MAX_JOINTS) return false;
+    const ModelRig rig(view.joint_positions, view, left_of(drawing), subject);
+    std::vector<const char*> names(view.joint_count);
+    return flgRigGetNames(&rig.rig(), standard, names.data()) == FLG_OK;
+}
+
+// With --rig as standards want it: from the hips and, where --detail says nothing, in as much of it as has all joints.
+FlgModel make_model(const Options& options, Session& session, ModelDrawing& drawing, FlgModelView& view,
+                    Report& report) {
+    const std::string& subject = options.contours[0];
+    const auto make = [&] {
+        const FlgModel model = drawn_model(options, session, drawing, report);
+        check(flgModelGetView(session.context(), model, &view), subject);
+        return model;
+    };
+    const auto make_from_hips = [&] {
+        const FlgModel model = make();
+        return options.rig.standard && begin_at_hips(view, subject, drawing) ? make() : model;
+    };
+    const ModelDrawing as_drawn = drawing;
+    const FlgModel model = make_from_hips();
+    if (!options.rig.standard || options.detail || has_all_bones(*options.rig.standard, view, drawing, subject))
+        return model;
+    for (const float detail : {1.5f, 2.0f}) {
+        drawing = as_drawn;
+        drawing.thresholds.detail = detail;
+        const FlgModel finer = make_from_hips();
+        if (!has_all_bones(*options.rig.standard, view, drawing, subject)) continue;
+        report.warn("--rig: has all joints with --detail " + std::string(detail < 2 ? "1.5" : "2"));
+        return finer;
+    }
+    drawing = as_drawn;
+    return make_from_hips();
 }
 
 void run_skeleton(Options options, const CommonOptions& common) {
@@ -390,13 +427,8 @@ void run_skeleton(Options options, const CommonOptions& common) {
         if (!options.picture.box.empty() && options.picture.file.empty())
             throw UsageError("--texture-box: needs a picture, by --texture or in the drawing");
         if (!options.picture.file.empty()) place_picture(options.picture, drawing);
-        FlgModel model = drawn_model(options, session, drawing, report);
         FlgModelView view = flgModelViewDefaults();
-        check(flgModelGetView(session.context(), model, &view), subject);
-        if (options.rig.standard && begin_at_hips(view, subject, drawing)) {
-            model = drawn_model(options, session, drawing, report);
-            check(flgModelGetView(session.context(), model, &view), subject);
-        }
+        const FlgModel model = make_model(options, session, drawing, view, report);
         warn_of_vain_edits(drawing, view, subject, report);
         std::optional<LastingNames> names;
         if (!options.previous.empty()) {

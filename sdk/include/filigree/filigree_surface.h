@@ -137,10 +137,10 @@ typedef struct FlgSurfacePoint {
     float u, v;        /* weights of corners 1 and 2 */
 } FlgSurfacePoint;
 
-/* Where a vertex lies on the mesh that its surface was made of: weights of at most three of that mesh's vertices, all of
- * one triangle. */
+/* Where a vertex lies on the mesh that its surface was made of: weights of at most three of that mesh's vertices, all
+ * of one triangle. */
 typedef struct FlgSourceWeights {
-    uint32_t vertices[3]; /* of the input, rising, welded: the first of those at a place; FLG_NO_INDEX behind the last */
+    uint32_t vertices[3]; /* of the input, rising, welded: the first at a place; FLG_NO_INDEX behind the last */
     float weights[2];     /* of the second and the third, 0 to 1; the first has what is missing to 1 */
 } FlgSourceWeights;
 

@@ -27,7 +27,7 @@ String glb_file(String json, const String& binary);
 class GlbBuilder {
 public:
     GlbBuilder() = default;
-    // Of a document's list of views or accessors: its length, and those that are left over, whose places are taken first.
+    // Of a document's list of views or accessors: its length, and the places that are left over, to be taken first.
     struct Places {
         size_t count = 0;
         Vector<size_t> free;  // rising

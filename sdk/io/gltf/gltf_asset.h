@@ -3,9 +3,9 @@
 // A glTF document written again, with other triangles in its meshes: those that they were cut into.
 //
 // Invariants
-// - What no triangle was cut in, moved or given a material keeps its JSON, its accessors and its bytes; so does all that
-//   is no mesh, known to this library or not. Buffers become one, pictures of other files become part of it; bytes that
-//   only triangles of before used are left out.
+// - What no triangle was cut in, moved or given a material keeps its JSON, its accessors and its bytes; so does all
+//   that is no mesh, known to this library or not. Buffers become one, pictures of other files become part of it; bytes
+//   that only triangles of before used are left out.
 // - A vertex of a changed primitive that was there keeps its values; new ones have the mix that their place in a
 //   triangle asks for (mixed_vertices.h). Seams stay seams: two corners share a vertex where they shared one, or lie at
 //   one place between the same vertices.

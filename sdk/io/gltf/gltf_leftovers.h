@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Source: Khronos, glTF 2.0 specification (3.6 accessors).
-// What a document no longer needs once primitives are gone: the accessors that only these use, and the buffer views that
-// only those accessors use. Nothing where extensions may refer to accessors in ways that are not known here.
+// What a document no longer needs once primitives are gone: the accessors that only these use, and the buffer views
+// that only those accessors use. Nothing where extensions may refer to accessors in ways that are not known here.
 #pragma once
 
 #include <functional>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Source: Khronos, glTF 2.0 specification (3.7.2.1 attributes, 3.7.2.2 morph targets, 3.7.3.3 skinned mesh attributes).
 // The attributes of vertices between those of a primitive, by the kind of each: numbers linearly, whole ones of an
-// application's own from the nearest vertex; directions of length 1; tangents with the sign of the nearest vertex; joints and weights as one, the union of the influences, of which as
-// many as the primitive has are kept, the largest, their sum 1.
+// application's own from the nearest vertex; directions of length 1; tangents with the sign of the nearest vertex;
+// joints and weights as one, the union of the influences, of which as many as the primitive has are kept, the largest,
+// their sum 1.
 //
 // Values are written as floats but joints, which keep their type.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a vertex lies on the mesh that a surface was made of: the weights of at most three vertices of the input, all of
-// one triangle. What the input has at its corners can so be had anywhere on the surface, however often that is cut.
+// Where a vertex lies on the mesh that a surface was made of: the weights of at most three vertices of the input, all
+// of one triangle. What the input has at its corners can so be had anywhere on the surface, however often that is cut.
 //
 // Invariant: all corners of a triangle lie in one triangle of the input (Mesh::source_triangles), its border included,
 // so what is mixed of them has at most the three vertices of that.

@@ -122,8 +122,8 @@ private:
     std::pmr::vector<double> sums_;       // of all channels' components, for the vertex at hand
 };
 
-// Where vertices are on the input: those there were where they had been, others halfway, whatever the rule makes of their
-// positions.
+// Where vertices are on the input: those there were where they had been, others halfway, whatever the rule makes of
+// their positions.
 Task<void> place_on_input(Pace& pace, const Mesh& coarse, const MeshColumn& column, const Mesh& fine,
                           MeshColumn& fine_column) {
     co_await each(pace, coarse.vertex_count(), Cost::some_ns,

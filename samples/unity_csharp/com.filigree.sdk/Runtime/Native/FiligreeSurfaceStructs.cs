@@ -126,7 +126,7 @@ namespace Filigree
     /// </summary>
     public unsafe partial struct FlgSourceWeights
     {
-        /// <summary>of the input, rising, welded: the first of those at a place; FLG_NO_INDEX behind the last</summary>
+        /// <summary>of the input, rising, welded: the first at a place; FLG_NO_INDEX behind the last</summary>
         public fixed uint vertices[3];
         /// <summary>of the second and the third, 0 to 1; the first has what is missing to 1</summary>
         public fixed float weights[2];
