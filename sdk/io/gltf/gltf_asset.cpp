@@ -303,9 +303,9 @@ private:
     void put_in_order(Map<uint64_t, Vector<uint32_t>>& corners) {
         Vector<uint32_t> order(records_.size());
         for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
             const auto key = [&](uint32_t r) {
-                return records_[r].count == 1 ? uint64_t{records_[r].from[0]} : UINT64_MAX;
+                return std::pair(records_[r].count == 1 ? uint64_t{records_[r].from[0]} : UINT64_MAX, r);
             };
             return key(a) < key(b);
         });

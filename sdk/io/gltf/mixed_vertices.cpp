@@ -141,7 +141,9 @@ void mix_influences(std::span<const GltfValues> joints, std::span<const GltfValu
     }
     const size_t kept = 4 * joints.size();
     if (vertex.count == 1) return;
-    std::stable_sort(to.begin(), to.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+    std::sort(to.begin(), to.end(), [](const Influence& a, const Influence& b) {
+        return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+    });
     to.resize(kept);
     double sum = 0;
     for (const Influence& influence : to) sum += influence.weight;
