@@ -437,14 +437,15 @@ Task<void> keep_farther(Pace& pace, HangingChain& chain, const std::pmr::vector<
 
 Task<bool> is_free(Pace& pace, const ObstacleSet& set, const Buffer<Vec3>& places, double slack) {
     const std::pmr::vector<Breach> breaches = co_await find_breaches(pace, set, places, slack);
-    co_return breaches.empty();
+    const bool none = breaches.empty();
+    co_return none;
 }
 
 // Whether a cable that falls freely from the straight way meets nothing: neither what falls with a node nor shorter
 // catenaries do.
 Task<bool> is_swept_free(Pace& pace, const ObstacleSet& set, const std::pmr::vector<Vec3>& places, double length,
                          Vec3 down, double slack) {
-    const Vec3 from = places.front(), to = places.back();
+    const Vec3 &from = places.front(), &to = places.back();
     const auto pieces = static_cast<uint32_t>(places.size()) - 1;
     const double straight = (to - from).norm();
     Buffer<Vec3> between(places.size(), pace.memory());
