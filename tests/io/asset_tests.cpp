@@ -470,6 +470,20 @@ TEST(Asset, WhatDoesNotFitIsRefused) {
     other = sound;
     other.weights[0].vertices[0] = FLG_NO_INDEX;
     expect_refused(other, path, out, FLG_ERROR_INVALID_ARGUMENT, "names no vertex");
+    // What is wrong in the asset is named there.
+    const auto expect_bad_asset = [&](const Asset& asset, const char* words) {
+        const std::string bad = folder.put("bad.gltf", asset.text());
+        Surface cut(bad);
+        cut.split({0});
+        expect_refused(cut, bad, out, FLG_ERROR_FORMAT, words);
+    };
+    Asset asset = square();
+    asset.json["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
+    expect_bad_asset(asset, "has one alone of JOINTS_0 and WEIGHTS_0");
+    asset = square();
+    Json& attributes = asset.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] = attributes["WEIGHTS_0"];
+    expect_bad_asset(asset, "joints that are no whole numbers");
 }
 
 }  // namespace

@@ -128,7 +128,9 @@ void mix_influences(std::span<const GltfValues> joints, std::span<const GltfValu
     for (uint32_t k = 0; k < vertex.count; ++k) {
         for (size_t set = 0; set < joints.size(); ++set) {
             for (uint32_t c = 0; c < 4; ++c) {
-                const double weight = double{weights[set].number(vertex.from[k], c)} * vertex.weights[k];
+                const float stored = weights[set].number(vertex.from[k], c);
+                if (!std::isfinite(stored)) refuse_value(weights[set], vertex.from[k], stored);
+                const double weight = double{stored} * vertex.weights[k];
                 const auto joint = static_cast<uint32_t>(joints[set].number(vertex.from[k], c));
                 const auto same =
                     std::find_if(to.begin(), to.end(), [&](const Influence& i) { return i.joint == joint; });
@@ -159,11 +161,14 @@ String add_influences(const GltfDocument& document, const Json& attributes, cons
     for (size_t set = 0;; ++set) {
         const Json* const joint = attributes.find("JOINTS_" + to_text(set));
         const Json* const weight = attributes.find("WEIGHTS_" + to_text(set));
-        if (!joint || !weight) break;
+        if (!joint && !weight) break;
+        if (!joint || !weight) fail(FLG_ERROR_FORMAT, place, "has one alone of JOINTS_%zu and WEIGHTS_%zu", set, set);
         joints.push_back(read_values(document, {"JOINTS_" + to_text(set), *joint}, place, vertices));
         weights.push_back(read_values(document, {"WEIGHTS_" + to_text(set), *weight}, place, vertices));
         if (joints.back().components != 4 || weights.back().components != 4)
             fail(FLG_ERROR_FORMAT, joints.back().place, "holds joints, or its weights, that are not four a vertex");
+        if (joints.back().component_type != gltf_unsigned_byte && joints.back().component_type != gltf_unsigned_short)
+            fail(FLG_ERROR_FORMAT, joints.back().place, "holds joints that are no whole numbers of 8 or 16 bits");
     }
     Vector<Vector<uint16_t>> numbers(joints.size());
     Vector<Vector<float>> values(joints.size());
