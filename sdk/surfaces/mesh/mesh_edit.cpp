@@ -63,9 +63,8 @@ MeshEditReplay::Array MeshEditReplay::array(size_t index) {
         case array_neighbours: return of(mesh_.neighbours, sizeof(Triple), before.triangles, after.triangles);
         case array_regions: return of(mesh_.regions, sizeof(uint32_t), before.triangles, after.triangles);
         case array_sources: {
-            const bool kept = mesh_.source_triangles.size() != 0;
-            return of(mesh_.source_triangles, sizeof(uint32_t), before.triangles,
-                      kept ? after.triangles : before.triangles);
+            if (mesh_.source_triangles.size() == 0) return {nullptr, sizeof(uint32_t), 0, 0};
+            return of(mesh_.source_triangles, sizeof(uint32_t), before.triangles, after.triangles);
         }
         default: break;
     }
