@@ -127,9 +127,10 @@ float TangleScript::length(const JsonPlace& place) const {
 }
 
 void TangleScript::run_operation(const JsonPlace& operation) {
-    operation.allow({"op",       "name",   "on",      "from",         "to",        "delta", "count",  "groups", "cycle",
-                     "scaffold", "closed", "each",    "perturbation", "frequency", "seed",  "amount", "bias",   "gain",
-                     "reach",    "size",   "spacing", "svg",          "turn",      "style", "smooth", "mute"});
+    operation.allow({"op",     "name",   "on",       "from",   "to",    "delta",        "count",
+                     "groups", "cycle",  "scaffold", "closed", "each",  "perturbation", "frequency",
+                     "seed",   "amount", "bias",     "gain",   "reach", "size",         "spacing",
+                     "svg",    "turn",   "style",    "smooth", "mute",  "border"});
     const Operation& op = read_operation(operation.at("op"));
     Result result;
     result.applied = select(operation.at("on"));
@@ -402,6 +403,11 @@ void TangleScript::apply_macro(const JsonPlace& operation, FlgTangleMacro kind, 
     if (const auto size = operation.find("size")) desc.size = length(*size);
     if (const auto spacing = operation.find("spacing")) desc.spacing = length(*spacing);
     if (const auto seed = operation.find("seed")) desc.seed = seed->count(0, kAnyCount);
+    if (const auto border = operation.find("border")) {
+        if (kind != FLG_TANGLE_MACRO_SUNBURST && kind != FLG_TANGLE_MACRO_GRID)
+            border->fail("is for sunbursts and grids");
+        desc.border = border->count(0, kAnyCount);
+    }
     FlgJob job = {};
     check(flgTangleApplyMacro(session_.context(), &desc, &job), operation.path());
     finish(job, operation);

@@ -21,6 +21,11 @@ FlgFieldGeodesicDesc default_geodesic_desc() {
 }
 
 void check(const FlgFieldGeodesicDesc& desc) {
+    check_enum(desc.accuracy, FLG_ACCURACY_REFINED, FLG_ACCURACY_EXACT, "desc.accuracy", "FLG_ACCURACY_");
+    if (desc.accuracy == FLG_ACCURACY_EXACT && desc.perturbation > 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.perturbation is %g, an exact field can have none",
+                      double{desc.perturbation});
+    }
     check_range(desc.max_distance > 0, "desc.max_distance", desc.max_distance, "above 0");
     check_range(desc.perturbation >= 0 && std::isfinite(desc.perturbation), "desc.perturbation", desc.perturbation,
                 "finite and at least 0");

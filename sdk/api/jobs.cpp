@@ -13,7 +13,12 @@ constexpr FlgJobStatus empty_status = {.struct_size = sizeof(FlgJobStatus),
                                        .stage = "",
                                        .error = "",
                                        .busy_us = 0,
-                                       .max_slice_us = 0};
+                                       .max_slice_us = 0,
+                                       .wait = FLG_JOB_WAIT_NONE,
+                                       .remaining_us = -1,
+                                       .waits_for = {},
+                                       .late_us = 0,
+                                       .reserved = 0};
 
 }  // namespace
 
@@ -26,7 +31,11 @@ FlgResult flgJobStatusInit(FlgJobStatus* status, uint32_t struct_size) {
 FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status) {
     return guarded([&] {
         write_struct(out_status, empty_status, "out_status");
-        write_struct(out_status, get_context(context).jobs.get(job.id, "job")->status, "out_status");
+        Context& self = get_context(context);
+        const auto of_job = self.jobs.get(job.id, "job");
+        FlgJobStatus status = of_job->status;
+        self.runtime.scheduler().fill_wait(*of_job, status);
+        write_struct(out_status, status, "out_status");
     });
 }
 

@@ -37,6 +37,8 @@ Submission::Submission(Context& context, const FlgJobOptions* job)
     job_->partial_results = options.partial_results != 0;
     job_->on_finished = options.on_finished;
     job_->user_data = options.user_data;
+    if (options.deadline_us != 0)
+        job_->deadline_ns = context.runtime.host().now_ns() + uint64_t{1000} * options.deadline_us;
 }
 
 void Submission::use_surface(const std::shared_ptr<Surface>& surface, bool changes, const char* argument) {

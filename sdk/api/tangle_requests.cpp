@@ -101,6 +101,7 @@ FlgTangleApplyMacroDesc default_macro_desc() {
     desc.size = 0.1f;
     desc.spacing = 0.3f;
     desc.seed = 1;
+    desc.border = FLG_NO_INDEX;
     return desc;
 }
 

@@ -9,11 +9,11 @@
 namespace flg {
 namespace {
 
-constexpr uint32_t none = UINT32_MAX;
+constexpr uint32_t no_own = UINT32_MAX;
 
 struct Best {
     double distance;
-    uint32_t joint = none;
+    uint32_t joint = no_own;
 };
 
 Best nearest(const Point2& at, std::span<const OwnJoint> joints, uint32_t begin, uint32_t end, Best best) {
@@ -46,7 +46,7 @@ Task<Buffer<uint32_t>> nearest_of(Pace& pace, std::span<const OwnJoint> from, st
 Task<void> number_joints(Pace& pace, OwnJoints own) {
     const std::span<OwnJoint> joints = own.joints;
     const std::span<const OwnJoint> before = own.before;
-    co_await each(pace, joints.size(), Cost::some_ns, [&](uint32_t i) { joints[i].number = none; });
+    co_await each(pace, joints.size(), Cost::some_ns, [&](uint32_t i) { joints[i].number = no_own; });
     uint32_t largest = static_cast<uint32_t>(joints.size());
     for (const OwnJoint& joint : before) largest = std::max(largest, joint.number);
     const size_t numbers = static_cast<size_t>(largest) + joints.size() + 1;
@@ -62,11 +62,11 @@ Task<void> number_joints(Pace& pace, OwnJoints own) {
     const Buffer<uint32_t> old_of = co_await nearest_of(pace, joints, before, own.near);
     const Buffer<uint32_t> new_of = co_await nearest_of(pace, before, joints, own.near);
     co_await each(pace, joints.size(), Cost::some_ns, [&](uint32_t i) {
-        if (old_of[i] != none && new_of[old_of[i]] == i) joints[i].number = before[old_of[i]].number;
+        if (old_of[i] != no_own && new_of[old_of[i]] == i) joints[i].number = before[old_of[i]].number;
     });
     uint32_t free = 0;
     co_await each(pace, joints.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        if (joints[i].number != none) return;
+        if (joints[i].number != no_own) return;
         uint32_t number = i;
         if (taken[number] != 0) {
             while (taken[free] != 0) ++free;

@@ -7,6 +7,7 @@
 // - published: what the host sees, written only inside flgContextTick on the host's thread.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <memory>
@@ -65,7 +66,8 @@ public:
     const Host& host;
     const uint32_t concurrency;  // strands a fork may use
     bool partial_results = false;
-    uint64_t serial = 0;  // order of submission
+    uint64_t serial = 0;                // order of submission
+    uint64_t deadline_ns = UINT64_MAX;  // by the host's clock; UINT64_MAX: none
     FlgJob handle{};
     JobMemory memory;
     void (*on_finished)(void*, FlgJob, FlgResult) = nullptr;
@@ -84,12 +86,20 @@ public:
 
     // Live, guarded by the scheduler's mutex. The stages belong to the job's first strand while it runs.
     FlgPriority priority = FLG_PRIORITY_NORMAL;  // at least that of every job that waits for this one
+    uint64_t wanted_ns = UINT64_MAX;             // the deadline, or the least of those that wait for this one
+    // When it has to go on at the latest: when it is wanted, less the work that is left by what it took so far.
+    uint64_t latest_ns() const { return wanted_ns - std::min(wanted_ns, static_cast<uint64_t>(remaining_ns())); }
     bool started = false;
     bool done = false;
     Fork* fork = nullptr;                       // whose branches run now
     uint32_t waiting_for = 0;                   // dependencies that are not done
+    uint32_t first_undone = 0;                  // those before it are done
     std::pmr::vector<Dependency> dependencies;  // what this job waits for
-    Dependency* dependents = nullptr;           // who waits for this job
+    const Dependency& first_awaited() {         // while it waits for one
+        while (!dependencies[first_undone].awaited) ++first_undone;
+        return dependencies[first_undone];
+    }
+    Dependency* dependents = nullptr;  // who waits for this job
     FlgResult result = FLG_NOT_READY;
     char error[256] = "";
     uint64_t busy_ns = 0;
@@ -115,7 +125,24 @@ public:
                         .stage = "",
                         .error = "",
                         .busy_us = 0,
-                        .max_slice_us = 0};
+                        .max_slice_us = 0,
+                        .wait = FLG_JOB_WAIT_NONE,
+                        .remaining_us = -1,
+                        .waits_for = {},
+                        .late_us = 0,
+                        .reserved = 0};
+
+    // The share that is done, 0 to 1; 0 also if that is not known.
+    double done_share() const {
+        const auto expected = static_cast<double>(expected_units.load(std::memory_order_relaxed));
+        const auto finished = static_cast<double>(done_units.load(std::memory_order_relaxed));
+        return expected > 0 ? std::min(finished / expected, 1.0) : 0;
+    }
+    // Work that is left at the rate so far; 0 also if that is not known.
+    double remaining_ns() const {
+        const double share = done_share();
+        return share > 0 ? static_cast<double>(busy_ns) * (1 - share) / share : 0;
+    }
 
     void begin_stage(const char* name, uint64_t now_ns, uint64_t slice_busy_ns) noexcept {
         end_stage(now_ns, slice_busy_ns);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/pace.h"
 
+#include "core/failure.h"
 #include "runtime/job.h"
 #include "runtime/task.h"
 
@@ -24,6 +25,15 @@ void Pace::stage(const char* name) noexcept {
 
 void Pace::commit() noexcept {
     job_.committed.store(true, std::memory_order_relaxed);
+}
+
+void Pace::begin_revocable() noexcept {
+    commit();
+    revocable_ = true;
+}
+
+void Pace::throw_if_cancelled() const {
+    if (job_.cancelled.load(std::memory_order_relaxed)) throw Failure(FLG_ERROR_CANCELLED, "the job was cancelled");
 }
 
 void Pace::expect(uint64_t units) noexcept {

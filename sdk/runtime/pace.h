@@ -35,13 +35,20 @@ public:
     // sanitizer): there every task that was awaited since the slice began keeps its frame.
     bool await_ready() noexcept;
     void await_suspend(std::coroutine_handle<> point) noexcept { resume_point = point; }
-    void await_resume() const noexcept {}
+    void await_resume() const {
+        if (revocable_) throw_if_cancelled();
+    }
 
     // Begins a named stage of the job (a string literal); for the job's first strand only. At most 16 a job.
     void stage(const char* name) noexcept;
     // From here on the job goes on to its end although it may be cancelled: it changes what outlives it, and a half of
     // that is worse than all of it. Only the end of the context stops it. For the job's first strand only.
     void commit() noexcept;
+    // The same, but up to settle() awaiting the pace of a job that was cancelled throws FLG_ERROR_CANCELLED: what
+    // awaits takes back what was changed. For the job's first strand only.
+    void begin_revocable() noexcept;
+    void settle() noexcept { revocable_ = false; }
+    bool is_revocable() const { return revocable_; }
     // Progress in units that the job chooses: what there is in all, and what was done just now (any strand).
     void expect(uint64_t units) noexcept;
     void advance(uint64_t units) noexcept;
@@ -62,6 +69,7 @@ public:
 
 private:
     void end_chunk(uint64_t now_ns) noexcept;
+    void throw_if_cancelled() const;
 
     Job& job_;
     const Host& host_;
@@ -70,6 +78,7 @@ private:
     uint64_t deadline_ns_ = 0;
     uint64_t chunk_start_ns_ = 0;
     uint32_t chunks_left_ = 0;
+    bool revocable_ = false;
     Chunk longest_;
 };
 

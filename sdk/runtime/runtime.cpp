@@ -50,7 +50,7 @@ FlgFrameReport Runtime::tick(uint32_t budget_us) {
     large_blocks_.begin_frame();
     if (crew_) crew_->begin_frame();
     scheduler_.publish_progress();
-    report.jobs_finished = scheduler_.publish(deadline_ns, &report.callback_us);
+    Scheduler::Published published = scheduler_.publish(deadline_ns, &report.callback_us);
     if (threading_ == Threading::none) {
         const uint64_t work_start_ns = host_.now_ns();
         float callbacks_us = 0;
@@ -58,11 +58,15 @@ FlgFrameReport Runtime::tick(uint32_t budget_us) {
         while (host_.now_ns() < deadline_ns && scheduler_.run_next(deadline_ns)) {
             scheduler_.publish_progress();
             if (host_.now_ns() >= deadline_ns) break;
-            report.jobs_finished += scheduler_.publish(deadline_ns, &callbacks_us);
+            const Scheduler::Published more = scheduler_.publish(deadline_ns, &callbacks_us);
+            published.count += more.count;
+            published.late += more.late;
         }
         report.callback_us += callbacks_us;
         report.work_us = static_cast<float>(host_.now_ns() - work_start_ns) * 1e-3f - callbacks_us;
     }
+    report.jobs_finished = published.count;
+    report.jobs_late = published.late;
     const Scheduler::Statistics statistics = scheduler_.take_statistics();
     if (threading_ != Threading::none) report.worker_us = static_cast<float>(statistics.busy_ns) * 1e-3f;
     report.max_slice_us = static_cast<float>(statistics.longest.duration_ns) * 1e-3f;

@@ -22,6 +22,10 @@ void describe_failed_dependency(const Job& failed, Job& dependent) {
     std::snprintf(dependent.error, sizeof dependent.error, "%s%.220s", has_prefix ? "" : prefix, failed.error);
 }
 
+float late_us(const Job& job, uint64_t now_ns) {
+    return job.deadline_ns < now_ns ? static_cast<float>(now_ns - job.deadline_ns) * 1e-3f : 0;
+}
+
 }  // namespace
 
 Scheduler::~Scheduler() {
@@ -52,7 +56,7 @@ ReadyQueue& Scheduler::queue_of(const Job& job) {
     return ready_[2 * priority + (job.busy_ns < short_ns ? 1 : 0)];
 }
 
-// Null: at the end.
+// Null: at the end. Not of a job that has a deadline.
 void Scheduler::insert(Strand& strand, Strand* before) {
     ReadyQueue& queue = queue_of(strand.job);
     ++ready_count_;
@@ -63,16 +67,24 @@ void Scheduler::insert(Strand& strand, Strand* before) {
     (before ? before->previous : queue.last) = &strand;
 }
 
+void Scheduler::push_wanted(Strand& strand) {
+    ++ready_count_;
+    heap_of(strand.job).insert(strand);
+}
+
 void Scheduler::push_back(Strand& strand) {
+    if (is_wanted(strand.job)) return push_wanted(strand);
     insert(strand, nullptr);
 }
 
 void Scheduler::push_front(Strand& strand) {
+    if (is_wanted(strand.job)) return push_wanted(strand);
     insert(strand, queue_of(strand.job).first);
 }
 
 void Scheduler::push_for_next_turn(Strand& strand, uint64_t busy_ns) {
     const Job& job = strand.job;
+    if (is_wanted(job)) return push_wanted(strand);
     if (job.busy_ns < short_ns) return push_front(strand);
     if (job.busy_ns - busy_ns < short_ns) return push_back(strand);
     Strand* before = queue_of(job).first;
@@ -82,6 +94,7 @@ void Scheduler::push_for_next_turn(Strand& strand, uint64_t busy_ns) {
 
 void Scheduler::remove(Strand& strand) {
     --ready_count_;
+    if (strand.heap) return strand.heap->remove(strand);
     (strand.previous ? strand.previous->next : strand.queue->first) = strand.next;
     (strand.next ? strand.next->previous : strand.queue->last) = strand.previous;
     strand.queue = nullptr;
@@ -90,7 +103,7 @@ void Scheduler::remove(Strand& strand) {
 // The queue it belongs in is another one now.
 void Scheduler::requeue(Job& job) {
     const auto move = [this](Strand& strand) {
-        if (!strand.queue) return;
+        if (!strand.queue && !strand.heap) return;
         remove(strand);
         push_back(strand);
     };
@@ -99,16 +112,16 @@ void Scheduler::requeue(Job& job) {
         for (Strand& branch : job.fork->branches) move(branch);
 }
 
-// Also what the job waits for.
-void Scheduler::raise(Job& job, FlgPriority priority) {
-    job.priority = priority;
+// What the job waits for: to its priority and its deadline.
+void Scheduler::raise(Job& job) {
     job.next_raised = nullptr;
     for (Job *raised = &job, *last = &job; raised; raised = raised->next_raised) {
         if (raised != &job) requeue(*raised);
         for (const Dependency& dependency : raised->dependencies) {
             Job* const awaited = dependency.awaited;
-            if (!awaited || awaited->priority >= priority) continue;
-            awaited->priority = priority;
+            if (!awaited || (awaited->priority >= job.priority && awaited->wanted_ns <= job.wanted_ns)) continue;
+            awaited->priority = std::max(awaited->priority, job.priority);
+            awaited->wanted_ns = std::min(awaited->wanted_ns, job.wanted_ns);
             awaited->next_raised = nullptr;
             last = last->next_raised = awaited;
         }
@@ -117,10 +130,13 @@ void Scheduler::raise(Job& job, FlgPriority priority) {
 
 Strand* Scheduler::pop() {
     for (size_t q = ready_.size(); q-- > 0;) {
-        if (Strand* const strand = ready_[q].first) {
-            remove(*strand);
-            return strand;
-        }
+        Strand* strand = ready_[q].first;
+        // A priority's short jobs come after those with a deadline.
+        const bool of_priority = q + 1 < ready_.size() && q % 2 == 1;
+        if (of_priority && wanted_[q / 2].first()) strand = wanted_[q / 2].first();
+        if (!strand) continue;
+        remove(*strand);
+        return strand;
     }
     return nullptr;
 }
@@ -312,6 +328,7 @@ void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequi
     if (running_.capacity() <= pending_) running_.reserve(std::max(size_t{8}, size_t{pending_} * 2));
     job->dependencies.resize(prerequisites.size());
     job->serial = next_serial_++;
+    job->wanted_ns = job->deadline_ns;
     bool ready = false;
     {
         std::lock_guard lock(mutex_);
@@ -333,7 +350,7 @@ void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequi
             push_back(job->strand);
             ready = true;
         } else {
-            raise(*job, job->priority);
+            raise(*job);
         }
     }
     append_pending(std::move(job));
@@ -393,15 +410,13 @@ void Scheduler::publish_progress() {
         FlgJobStatus& status = job->status;
         status.state = FLG_JOB_STATE_RUNNING;
         status.stage = job->stage.load(std::memory_order_relaxed);
-        const auto expected = static_cast<double>(job->expected_units.load(std::memory_order_relaxed));
-        const auto done = static_cast<double>(job->done_units.load(std::memory_order_relaxed));
         constexpr double highest_unfinished = 0.999;
-        if (expected > 0) {
-            const double fraction = std::min(done / expected, highest_unfinished);
-            status.progress = std::max(status.progress, static_cast<float>(fraction));
-        }
+        const double share = job->done_share();
+        status.progress = std::max(status.progress, static_cast<float>(std::min(share, highest_unfinished)));
+        status.late_us = late_us(*job, host_.now_ns());
         {
             std::lock_guard lock(mutex_);
+            if (share > 0) status.remaining_us = static_cast<float>(job->remaining_ns()) * 1e-3f;
             status.busy_us = static_cast<float>(job->busy_ns) * 1e-3f;
             status.max_slice_us = static_cast<float>(job->max_slice_ns) * 1e-3f;
         }
@@ -409,8 +424,21 @@ void Scheduler::publish_progress() {
     }
 }
 
-uint32_t Scheduler::publish(uint64_t deadline_ns, float* callback_us) {
-    uint32_t count = 0;
+void Scheduler::fill_wait(Job& job, FlgJobStatus& status) {
+    std::lock_guard lock(mutex_);
+    if (job.done || job.started) return;
+    status.wait = FLG_JOB_WAIT_TURN;
+    if (job.waiting_for == 0) return;
+    const Dependency* dependency = &job.first_awaited();
+    status.wait = dependency->order_only ? FLG_JOB_WAIT_ORDER : FLG_JOB_WAIT_INPUT;
+    // The library's own jobs have no handle; those they wait for may.
+    while (dependency->awaited->handle.id == 0 && dependency->awaited->waiting_for > 0)
+        dependency = &dependency->awaited->first_awaited();
+    status.waits_for = dependency->awaited->handle;
+}
+
+Scheduler::Published Scheduler::publish(uint64_t deadline_ns, float* callback_us) {
+    Published published;
     do {
         std::shared_ptr<Job> job;
         {
@@ -421,14 +449,15 @@ uint32_t Scheduler::publish(uint64_t deadline_ns, float* callback_us) {
             (first_finished_ ? first_finished_->previous_finished : last_finished_) = nullptr;
         }
         publish_job(*job);
-        ++count;
+        ++published.count;
+        if (job->status.late_us > 0) ++published.late;
         if (job->on_finished) {
             const uint64_t start_ns = host_.now_ns();
             job->on_finished(job->user_data, job->handle, job->result);
             *callback_us += static_cast<float>(host_.now_ns() - start_ns) * 1e-3f;
         }
     } while (host_.now_ns() < deadline_ns);
-    return count;
+    return published;
 }
 
 void Scheduler::publish_job(Job& job) {
@@ -436,6 +465,8 @@ void Scheduler::publish_job(Job& job) {
     status.state = FLG_JOB_STATE_FINISHED;
     status.result = job.result;
     if (job.result == FLG_OK) status.progress = 1;
+    status.remaining_us = 0;
+    status.late_us = late_us(job, host_.now_ns());
     status.error = job.error;
     status.stage = job.stage.load(std::memory_order_relaxed);
     status.busy_us = static_cast<float>(job.busy_ns) * 1e-3f;

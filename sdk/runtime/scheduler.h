@@ -5,8 +5,9 @@
 //
 // Strands are run by whoever calls run_next: the tick itself, built-in workers or tasks in the host's job system (see
 // workers.h). Ready strands run by priority: first what has to be taken down, and a job has at least the priority of
-// those that wait for it. Among equals, jobs that have run for less than 4 ms come first, in order of arrival; the
-// others take turns, slice by slice, four at a time, so that a hundred jobs do not hold their memory at once.
+// those that wait for it. Among equals, jobs with a deadline come first, by the time at which they have to go on at the
+// latest; then jobs that have run for less than 4 ms, in order of arrival; the others take turns, slice by slice, four
+// at a time, so that a hundred jobs do not hold their memory at once.
 // One mutex guards the queues; it is held for some tens of instructions (to tell dependents: for 64 of them at most)
 // and never while work, a callback or the allocator runs (but to free a cancelled job that another one still listed).
 #pragma once
@@ -18,6 +19,7 @@
 
 #include "runtime/job.h"
 #include "runtime/large_blocks.h"
+#include "runtime/strand_heap.h"
 
 namespace flg {
 
@@ -47,8 +49,14 @@ public:
     // At the end of the context: also jobs that are committed.
     void cancel_all();
 
+    // What a job waits for now.
+    void fill_wait(Job& job, FlgJobStatus& status);
+
     // Publishes done jobs in order of submission until `deadline_ns`, at least one. Returns how many.
-    uint32_t publish(uint64_t deadline_ns, float* callback_us);
+    struct Published {
+        uint32_t count = 0, late = 0;
+    };
+    Published publish(uint64_t deadline_ns, float* callback_us);
     // Copies progress and partial results of running jobs to where the host sees them.
     void publish_progress();
     // Whether publish would find something; waits for it until `timeout_us` if not.
@@ -92,15 +100,18 @@ private:
     static constexpr uint32_t turns = 4;
     static constexpr uint32_t most_told = 64;
 
+    static bool is_wanted(const Job& job) { return job.wanted_ns != UINT64_MAX && !job.given_up(); }
+    StrandHeap& heap_of(const Job& job) { return wanted_[static_cast<size_t>(job.priority - FLG_PRIORITY_LOW)]; }
     ReadyQueue& queue_of(const Job& job);
     void insert(Strand& strand, Strand* before);
+    void push_wanted(Strand& strand);
     void push_back(Strand& strand);
     void push_front(Strand& strand);
     // After a slice of so long.
     void push_for_next_turn(Strand& strand, uint64_t busy_ns);
     void remove(Strand& strand);
     void requeue(Job& job);
-    void raise(Job& job, FlgPriority priority);
+    void raise(Job& job);
     Strand* pop();
     bool unmap_piece();
     void end_slice(Strand& strand);
@@ -126,6 +137,7 @@ private:
     std::mutex mutex_;
     std::condition_variable publishable_;
     std::array<ReadyQueue, 2 * priority_count + 1> ready_;  // the last first
+    std::array<StrandHeap, priority_count> wanted_;         // jobs with a deadline
     uint32_t ready_count_ = 0;
     std::shared_ptr<Job> started_;         // list of jobs that ran for the first time since the last tick
     std::shared_ptr<Job> first_settling_;  // jobs that are done and whose dependents are to be told

@@ -8,6 +8,7 @@
 
 namespace flg {
 
+class StrandHeap;
 struct Strand;
 
 struct ReadyQueue {
@@ -29,6 +30,11 @@ struct Strand {
     // In a ready queue, if it is in one.
     ReadyQueue* queue = nullptr;
     Strand *next = nullptr, *previous = nullptr;
+    // In a heap, if it is in one.
+    StrandHeap* heap = nullptr;
+    Strand *left = nullptr, *right = nullptr, *above = nullptr;
+    uint32_t rank = 0;
+    uint64_t latest_ns = 0;  // of its job, when it came in
 };
 
 }  // namespace flg

@@ -50,7 +50,7 @@ Task<void> collect_seeds(Pace& pace, const GeodesicRequest& request, GeodesicSee
     }
     if (!sources.edges) co_return;
     co_await each(pace, sources.edges->size(), Cost::hundreds_of_ns,
-                  [&](uint32_t i) { seeds.add_edge((*sources.edges)[i], label); });
+                  [&](uint32_t i) { seeds.add_edge((*sources.edges)[i], sources.edges_apart ? label + i : label); });
 }
 
 struct Query {

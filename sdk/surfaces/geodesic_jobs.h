@@ -23,7 +23,8 @@ struct GeodesicSources {
     Buffer<SurfacePoint> points;
     std::shared_ptr<const TracedCurves> curves;  // or null
     Buffer<uint32_t> border_regions;
-    const std::pmr::deque<Corner>* edges = nullptr;  // one source together, outlives the job
+    const std::pmr::deque<Corner>* edges = nullptr;  // outlives the job
+    bool edges_apart = false;                        // each edge is a source; else they are one together
 };
 
 struct GeodesicRequest {

@@ -39,7 +39,7 @@ Task<void> sample_border(Pace& pace, uint32_t region, float spacing, std::shared
     const Mesh& mesh = out->surface->mesh();
     const RegionLoops loops = co_await find_region_loops(pace, mesh, regions);
     const Buffer<BorderStretch> stretches = whole_loops(loops, pace.memory());
-    co_await sample_stretches(pace, mesh, loops, stretches, spacing, out->curves);
+    co_await sample_stretches(pace, mesh, loops, stretches, spacing, 1, out->curves);
     co_await flatten_curves(pace, *out);
 }
 

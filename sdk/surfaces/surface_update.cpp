@@ -81,6 +81,7 @@ void drop_solvers(Surface& surface) {
 }
 
 Task<void> update_after_edit(Pace& pace, Surface& surface, const MeshEdit& edit, uint32_t revision) {
+    pace.settle();
     pace.stage("update");
     try {
         const Vertices touched = co_await find_touched_if_used(pace, surface, edit);

@@ -70,11 +70,13 @@ Task<TangleSeeds> copy_seeds(Pace& pace, const TangleSeeds& from) {
     TangleSeeds copy(pace.memory());
     copy.borders = from.borders;
     copy.stretches = from.stretches;
+    copy.first_loop = from.first_loop;
     copy.other_loops = from.other_loops;
     copy.points = co_await copy_buffer(pace, from.points);
     copy.curves = from.curves;
     copy.sample_radius = from.sample_radius;
     copy.sample_count = from.sample_count;
+    copy.samples_fit = from.samples_fit;
     copy.border_spacing = from.border_spacing;
     copy.seed = from.seed;
     copy.regions = from.regions;

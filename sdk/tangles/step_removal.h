@@ -16,11 +16,11 @@ namespace flg {
 
 class StepRemoval {
 public:
-    // Both outlive this.
-    StepRemoval(Tangle& tangle, TangleStep& step) {
+    // Both outlive this. `updated`: what the surface keeps beside its mesh may have followed the step.
+    StepRemoval(Tangle& tangle, TangleStep& step, bool updated = true) {
         tangle.tree.take_back(step.tree);
         if (!step.edit) return;
-        drop_solvers(*tangle.surface);  // they may have followed it
+        if (updated) drop_solvers(*tangle.surface);
         mesh_.emplace(tangle.surface->mesh(), tangle.surface->columns, *step.edit, MeshEditReplay::Direction::abandon);
     }
     // Does a slice's work; false when done.

@@ -66,7 +66,8 @@ public:
 
     // Jobs, as the surface's order lets them.
     RegionTree tree;
-    MeshFingerprint base;  // of the mesh it began with
+    MeshFingerprint base;   // of the mesh it began with
+    double least_area = 0;  // square metres: what an operator cuts off that is smaller is a speck
     // Those made, then those taken back; while a job makes steps, these behind all others.
     TangleSteps steps;
     size_t made = 0;

@@ -25,7 +25,9 @@ Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& ch
         failure = std::current_exception();
     }
     if (!failure) co_return;
-    for (StepRemoval removal(tangle, step); removal.goes_on();) co_await pace;
+    const bool updated = !pace.is_revocable();  // an update settles
+    pace.settle();
+    for (StepRemoval removal(tangle, step, updated); removal.goes_on();) co_await pace;
     tangle.surface->mesh().region_blocks.doubt(tangle.tree.size());
     std::rethrow_exception(failure);
 }
@@ -195,11 +197,14 @@ Task<void> run_record(Pace& pace, Tangle& tangle, uint32_t revision, TangleStep&
     co_await run_step(pace, tangle, step, change);
 }
 
+constexpr double speck_share = 1e-6;  // of the surface
+
 Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle) {
     pace.stage("labels");
     pace.commit();
     Mesh& mesh = tangle->surface->mesh();
     tangle->base = co_await take_fingerprint(pace, mesh);
+    tangle->least_area = speck_share * (co_await measure_extent(pace, mesh)).area;
     GeodesicSolvers& solvers = tangle->surface->solvers;
     solvers.fixed_edge = 0;
     if (solvers.blocks) solvers.blocks->edges.fix_mean(0);
@@ -215,7 +220,9 @@ Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords rec
     try {
         for (std::shared_ptr<StepRecord>& record : records) {
             TangleStep& step = steps.add(std::move(record));
+            pace.begin_revocable();
             co_await run_record(pace, *tangle, revision, step);
+            pace.settle();
             ++done;
         }
     } catch (...) {

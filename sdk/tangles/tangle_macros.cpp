@@ -15,9 +15,10 @@ DivideRequest contours(const MacroRequest& macro, float delta, uint32_t count, M
     return request;
 }
 
-// From the first border to the others.
+// From one border to the others.
 DivideRequest between_borders(const MacroRequest& macro, float delta, uint32_t count, Memory* memory) {
     DivideRequest request = contours(macro, delta, count, memory);
+    request.a.first_loop = request.b.first_loop = macro.desc.border;
     request.a.stretches.push_back({.loop = 0});
     request.b.other_loops = true;
     return request;
@@ -43,6 +44,7 @@ std::pmr::vector<DivideRequest> expand_macro(const MacroRequest& macro, Memory* 
             steps.push_back(contours(macro, share, desc.count, memory));
             steps[0].a.borders = FLG_TANGLE_BORDERS_OUTER;
             steps[0].b.sample_radius = desc.spacing;
+            steps[0].b.samples_fit = true;
             break;
         case FLG_TANGLE_MACRO_OUTLINE:
             steps.push_back(contours(macro, desc.size, 1, memory));

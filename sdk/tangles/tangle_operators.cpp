@@ -16,11 +16,12 @@
 #include "surfaces/mesh/mesh_edit.h"
 #include "surfaces/mesh/surface_place.h"
 #include "surfaces/surface_update.h"
-#include "surfaces/tracing/integral_curves.h"
 #include "surfaces/tracing_jobs.h"
 #include "tangles/region_partition.h"
+#include "tangles/region_specks.h"
 #include "tangles/region_tree.h"
 #include "tangles/room_work.h"
+#include "tangles/stream_lines.h"
 #include "tangles/voronoi_borders.h"
 
 namespace flg {
@@ -108,17 +109,45 @@ Task<void> solve_or_blend(Pace& pace, Tangle& tangle, const Scene& scene, FieldE
                         [&](uint32_t v) { field.distances[v] = blend(field.distances[v], other.distances[v]); });
 }
 
-// Makes leaves of a partition's components and labels the triangles with them.
+// What becomes of a partition's components: leaves, specks going with those beside them.
+struct Division {
+    Buffer<NewLeaf> leaves;
+    Buffer<uint32_t> leaf_of;  // each component
+    bool divides = false;      // there are two parts at least
+};
+
+// `components`: as leaves, each its own.
+Task<Division> divide_components(Pace& pace, const Tangle& tangle, const RegionPartition& partition,
+                                 const Buffer<NewLeaf>& components) {
+    Buffer<uint32_t> parents(components.size(), pace.memory());
+    co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t c) { parents[c] = components[c].parent; });
+    Division division;
+    division.leaf_of = co_await merge_specks(pace, partition, parents, tangle.least_area);
+    Buffer<uint32_t> numbers(components.size(), pace.memory());  // of those that become leaves
+    uint32_t count = 0;
+    co_await each(pace, numbers.size(), Cost::some_ns,
+                  [&](uint32_t c) { numbers[c] = division.leaf_of[c] == c ? count++ : no_index; });
+    division.leaves = Buffer<NewLeaf>(count, pace.memory());
+    co_await each(pace, numbers.size(), Cost::some_ns, [&](uint32_t c) {
+        if (numbers[c] != no_index) division.leaves[numbers[c]] = components[c];
+        division.leaf_of[c] = numbers[division.leaf_of[c]];
+    });
+    co_await each(pace, count, Cost::some_ns,
+                  [&](uint32_t i) { division.divides |= division.leaves[i].part != division.leaves[0].part; });
+    co_return division;
+}
+
+// Makes the leaves and labels the triangles with them.
 Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const RegionPartition& partition,
-                       const Buffer<NewLeaf>& leaves, MeshEdit& edit, TreeEdit& tree_edit) {
+                       const Division& division, MeshEdit& edit, TreeEdit& tree_edit) {
     const RegionId first = tangle.tree.size();
     const LeafRules rules{scene.request.desc.grouping, scene.request.desc.cycle, scene.request.desc.scaffold != 0};
-    const Buffer<RegionId> regions = co_await add_leaves(pace, tangle.tree, tree_edit, leaves, rules);
+    const Buffer<RegionId> regions = co_await add_leaves(pace, tangle.tree, tree_edit, division.leaves, rules);
     Mesh& mesh = scene.surface.mesh();
     RegionCursor cursor(mesh, partition.leaves);
     co_await RegionBlocks::restart(pace, mesh.region_blocks, first);
     co_await each_within(pace, cursor, Cost::tens_of_ns, [&](uint32_t t) {
-        const RegionId region = regions[partition.component_of(t)];
+        const RegionId region = regions[division.leaf_of[partition.component_of(t)]];
         mesh.region_blocks.add(region, t);  // also where it is the label of the cut
         edit.set_region(mesh, t, region);
     });
@@ -161,21 +190,21 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
     const RegionSet cut(band_labels.data(), static_cast<uint32_t>(band_labels.size()), pace.memory());
     const std::pmr::deque<Corner> no_edges(pace.memory());
     const RegionPartition partition = co_await partition_regions(pace, scene.surface.mesh(), cut, no_edges);
-    Buffer<NewLeaf> leaves(partition.components.size(), pace.memory());
-    bool divided = false;
-    co_await each(pace, leaves.size(), Cost::tens_of_ns, [&](uint32_t c) {
+    Buffer<NewLeaf> components(partition.components.size(), pace.memory());
+    co_await each(pace, components.size(), Cost::tens_of_ns, [&](uint32_t c) {
         const uint32_t label = partition.components[c].label - first;
-        leaves[c] = {scene.leaves.list[label / bands], label % bands};
-        divided |= leaves[c].part != leaves[0].part;
+        components[c] = {scene.leaves.list[label / bands], label % bands};
     });
-    if (!divided) {
+    const Division division = co_await divide_components(pace, tangle, partition, components);
+    if (!division.divides) {
+        pace.settle();
         MeshEditReplay back(scene.surface.mesh(), scene.surface.columns, edit, MeshEditReplay::Direction::abandon);
         while (!back.run(2 * static_cast<uint32_t>(Cost::some_ns))) co_await pace;
         step.edit.reset();
         co_return;
     }
     const size_t of_cut = edit.labels().size();
-    co_await make_leaves(pace, tangle, scene, partition, leaves, edit, step.tree);
+    co_await make_leaves(pace, tangle, scene, partition, division, edit, step.tree);
     co_await forget_passing_labels(pace, scene.surface.mesh(), of_cut, edit);
     co_await update_after_edit(pace, scene.surface, edit, scene.revision);
 }
@@ -211,9 +240,10 @@ Task<void> each_edge(Pace& pace, const SurfaceCurves& curves, const EmbeddedCurv
 
 // Strips between streams: the part to the left of curve c has the number c + 1, what no curve has to its left 0.
 // Parts to the left of several curves go by the first.
-Task<void> number_strips(Pace& pace, const SurfaceCurves& curves, const EmbeddedCurves& embedded,
+Task<void> number_strips(Pace& pace, const SurfaceCurves& curves, uint32_t stream_count, const EmbeddedCurves& embedded,
                          const RegionPartition& partition, Buffer<uint32_t>& numbers) {
     co_await each_edge(pace, curves, embedded, [&](uint32_t c, uint32_t from, uint32_t to) {
+        if (c >= stream_count) return;
         const uint32_t part = part_left_of(partition, from, to);
         if (part != no_index && numbers[part] == 0) numbers[part] = c + 1;
     });
@@ -237,19 +267,21 @@ Task<void> number_sides(Pace& pace, const SurfaceCurves& curves, const EmbeddedC
 }
 
 // One number a part: of strips, of sides, or by their order.
-Task<Buffer<uint32_t>> number_parts(Pace& pace, const Scene& scene, const SurfaceCurves& curves,
+Task<Buffer<uint32_t>> number_parts(Pace& pace, const Scene& scene, const SurfaceCurves& curves, uint32_t stream_count,
                                     const EmbeddedCurves& embedded, const RegionPartition& partition) {
     const bool strips = scene.request.desc.kind == FLG_TANGLE_OPERATOR_STREAM;
     Buffer<uint32_t> numbers(partition.part_count, pace.memory());
     co_await each(pace, numbers.size(), Cost::some_ns, [&](uint32_t p) { numbers[p] = strips ? 0 : p; });
-    if (strips) co_await number_strips(pace, curves, embedded, partition, numbers);
+    if (strips) co_await number_strips(pace, curves, stream_count, embedded, partition, numbers);
     if (scene.request.desc.kind == FLG_TANGLE_OPERATOR_POLYLINE && scene.request.a.curves) {
         co_await number_sides(pace, curves, embedded, partition, numbers);
     }
     co_return numbers;
 }
 
-Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const SurfaceCurves& curves, TangleStep& step) {
+// `stream_count`: of the curves, those that part strips.
+Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const SurfaceCurves& curves, uint32_t stream_count,
+                     TangleStep& step) {
     if (curves.curve_count() == 0) co_return;
     pace.stage("cut");
     pace.commit();
@@ -260,32 +292,17 @@ Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const Surfa
     co_await embed_curves(pace, scene.surface.mesh(), scene.surface.columns, curves, edit, embedded);
     pace.stage("regions");
     const RegionPartition partition = co_await partition_regions(pace, mesh, scene.leaves.set, embedded.edges);
-    const Buffer<uint32_t> numbers = co_await number_parts(pace, scene, curves, embedded, partition);
+    const Buffer<uint32_t> numbers = co_await number_parts(pace, scene, curves, stream_count, embedded, partition);
     if (partition.part_count > 1) {
-        Buffer<NewLeaf> leaves(partition.components.size(), pace.memory());
-        co_await each(pace, leaves.size(), Cost::tens_of_ns, [&](uint32_t c) {
+        Buffer<NewLeaf> components(partition.components.size(), pace.memory());
+        co_await each(pace, components.size(), Cost::tens_of_ns, [&](uint32_t c) {
             const RegionComponent& component = partition.components[c];
-            leaves[c] = {component.label, numbers[component.part]};
+            components[c] = {component.label, numbers[component.part]};
         });
-        co_await make_leaves(pace, tangle, scene, partition, leaves, edit, step.tree);
+        const Division division = co_await divide_components(pace, tangle, partition, components);
+        co_await make_leaves(pace, tangle, scene, partition, division, edit, step.tree);
     }
     co_await update_after_edit(pace, scene.surface, edit, scene.revision);
-}
-
-Task<void> trace_streams(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCurves& curves) {
-    DistanceField field;
-    co_await solve_or_blend(pace, tangle, scene, FieldExtent::whole, field);
-    pace.stage("streams");
-    const TangleSeeds& a = scene.request.a;
-    LeafSet own(pace.memory());
-    if (!a.regions.empty()) own = co_await list_leaves(pace, tangle.tree, a.regions, "desc.a");
-    const RegionSet& within = a.regions.empty() ? scene.leaves.set : own.set;
-    const Buffer<SurfacePoint> starts =
-        co_await find_stream_starts(pace, scene.surface, within, a, scene.request.desc.delta, "desc.a");
-    const IntegralCurveOptions options;
-    const std::span<const float> values(field.distances.data(), field.distances.size());
-    const std::span<const SurfacePoint> from(starts.data(), starts.size());
-    co_await add_integral_curves(pace, scene.surface.mesh(), values, scene.leaves.set, from, options, curves);
 }
 
 Task<void> trace_cells(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCurves& curves) {
@@ -391,10 +408,16 @@ Task<void> divide_regions(Pace& pace, Tangle& tangle, const DivideRequest& reque
         co_return;
     }
     SurfaceCurves curves(pace.memory());
-    if (request.desc.kind == FLG_TANGLE_OPERATOR_STREAM) co_await trace_streams(pace, tangle, scene, curves);
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_STREAM) {
+        DistanceField field;
+        co_await solve_or_blend(pace, tangle, scene, FieldExtent::whole, field);
+        StreamLines lines = co_await trace_streams(pace, tangle, leaves, request, field);
+        co_await cut_along(pace, tangle, scene, lines.curves, lines.stream_count, step);
+        co_return;
+    }
     if (request.desc.kind == FLG_TANGLE_OPERATOR_VORONOI) co_await trace_cells(pace, tangle, scene, curves);
     if (request.desc.kind == FLG_TANGLE_OPERATOR_POLYLINE) co_await trace_polyline(pace, scene, curves);
-    co_await cut_along(pace, tangle, scene, curves, step);
+    co_await cut_along(pace, tangle, scene, curves, 0, step);
 }
 
 }  // namespace flg

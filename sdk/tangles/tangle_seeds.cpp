@@ -94,6 +94,28 @@ Task<void> anchor_loops(Pace& pace, const Mesh& mesh, RegionLoops& loops, SeedAn
 
 namespace {
 
+// Of equally long ones the first, however their lengths were rounded.
+Task<uint32_t> longest_of(Pace& pace, const RegionLoops& loops) {
+    constexpr double as_long = 1 + 1e-6;
+    uint32_t longest = 0;
+    co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) {
+        if (loops.lengths[l] > as_long * loops.lengths[longest]) longest = l;
+    });
+    co_return longest;
+}
+
+// That loop first, the others as they are.
+Task<void> move_to_front(Pace& pace, RegionLoops& loops, uint32_t first) {
+    if (first == 0) co_return;
+    RegionLoops ordered(pace.memory());
+    co_await add_loop(pace, loops, {first, loops.offsets[first]}, ordered);
+    for (uint32_t l = 0; l < loops.count(); ++l)
+        if (l != first) co_await add_loop(pace, loops, {l, loops.offsets[l]}, ordered);
+    loops = std::move(ordered);
+}
+
+}  // namespace
+
 Task<RegionLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
                              const char* argument) {
     RegionLoops loops = co_await find_region_loops(pace, mesh, leaves);
@@ -101,11 +123,15 @@ Task<RegionLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leav
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s asks for borders, but the regions are all of a closed surface",
                       argument);
     }
+    const uint32_t first = seeds.first_loop == no_index ? co_await longest_of(pace, loops) : seeds.first_loop;
+    if (first >= loops.count())
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s begins at border %u, the regions have %u borders", argument,
+                      first, loops.count());
+    co_await move_to_front(pace, loops, first);
     if (seeds.anchors) co_await anchor_loops(pace, mesh, loops, *seeds.anchors);
     co_return loops;
 }
 
-// The stretches asked for, or all loops whole.
 Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const RegionLoops& loops, const TangleSeeds& seeds,
                                              const char* argument) {
     const bool all = seeds.stretches.empty();
@@ -118,6 +144,8 @@ Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const RegionLoops& loop
     });
     co_return chosen;
 }
+
+namespace {
 
 // The edges whose middle lies in the stretch.
 Task<void> add_stretch(Pace& pace, const Mesh& mesh, const RegionLoops& loops, BorderStretch stretch,
@@ -149,7 +177,7 @@ Task<void> add_each_border(Pace& pace, const Mesh& mesh, const RegionSet& leaves
 }
 
 // Half a radius from borders, by algorithm 2.
-Task<void> begin_sampling(Pace& pace, Surface& surface, const RegionSet& leaves, float radius,
+Task<void> begin_sampling(Pace& pace, Surface& surface, const RegionSet& leaves, float from_border,
                           const GeodesicRegion& bound, RefinedSolver& solver) {
     const Mesh& mesh = surface.mesh();
     const RegionLoops loops = co_await find_region_loops(pace, mesh, leaves);
@@ -157,55 +185,35 @@ Task<void> begin_sampling(Pace& pace, Surface& surface, const RegionSet& leaves,
     co_await each(pace, loops.edges.size(), Cost::hundreds_of_ns,
                   [&](uint32_t i) { border.add_edge(loops.edges[i], 0); });
     Buffer<Seed> away = co_await merge_seeds(pace, border.found());
-    co_await each(pace, away.size(), Cost::some_ns, [&](uint32_t i) { away[i].distance += radius / 2; });
+    co_await each(pace, away.size(), Cost::some_ns, [&](uint32_t i) { away[i].distance += from_border; });
     const SolveLimits limits{.distance = unreachable, .targets = std::pmr::vector<uint32_t>(pace.memory())};
     const std::span<const Seed> seeds(away.data(), away.size());
     co_await solve_distances(pace, solver, seeds, limits, false, &bound);
+}
+
+Task<float> largest_distance(Pace& pace, const RefinedSolver& solver) {
+    float largest = 0;
+    co_await each(pace, solver.page_count(), Cost::hundreds_of_ns, [&](uint32_t page) {
+        solver.visit_page(page, [&](uint32_t, float distance, uint32_t) { largest = std::max(largest, distance); });
+    });
+    co_return largest;
 }
 
 Task<Buffer<uint32_t>> sample(Pace& pace, Surface& surface, const RegionSet& leaves, const TangleSeeds& seeds) {
     const GeodesicBlocks& blocks = blocks_of(surface);
     const GeodesicRegion bound = co_await bound_region(pace, surface.mesh(), surface.mesh().positions, blocks, leaves);
     auto solver = surface.solvers.pool.lend(blocks);
-    co_await begin_sampling(pace, surface, leaves, seeds.sample_radius, bound, *solver);
+    float radius = seeds.sample_radius;
+    if (seeds.samples_fit) {
+        co_await begin_sampling(pace, surface, leaves, 0, bound, *solver);
+        const float room = co_await largest_distance(pace, *solver);
+        if (room > 0) radius = std::min(radius, 1.5f * room);
+    }
+    co_await begin_sampling(pace, surface, leaves, radius / 2, bound, *solver);
     const uint32_t most = seeds.sample_count == 0 ? no_index : seeds.sample_count;
-    Buffer<uint32_t> samples =
-        co_await sample_poisson(pace, surface.mesh(), leaves, *solver, seeds.sample_radius, most, seeds.seed);
+    Buffer<uint32_t> samples = co_await sample_poisson(pace, surface.mesh(), leaves, *solver, radius, most, seeds.seed);
     solver.give_back();
     co_return samples;
-}
-
-// At `t` of the way from a point to one that lies in its triangle.
-SurfacePoint between(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to, double t) {
-    const Triple& corners = mesh.triangles[from.triangle];
-    const Vec3 origin = mesh.position(corners[0]);
-    const Vec3 a = mesh.position(corners[1]) - origin, b = mesh.position(corners[2]) - origin;
-    const Vec3 place = position_of(mesh, to) - origin, normal = a.cross(b);
-    const double area = normal.squaredNorm();
-    if (!(area > 0)) return from;
-    const double u = std::clamp(place.cross(b).dot(normal) / area, 0.0, 1.0);
-    const double v = std::clamp(a.cross(place).dot(normal) / area, 0.0, 1 - u);
-    return {from.triangle, static_cast<float>(from.u + (u - from.u) * t),
-            static_cast<float>(from.v + (v - from.v) * t)};
-}
-
-// Evenly along curves on the surface, begun half a step from their beginning.
-Task<void> sample_lines(Pace& pace, const Mesh& mesh, const SurfaceCurves& lines, float spacing,
-                        std::pmr::deque<SurfacePoint>& out) {
-    Slice slice(Cost::hundreds_of_ns);
-    for (uint32_t c = 0; c < lines.curve_count(); ++c) {
-        const uint32_t first = lines.offsets[c], end = lines.offsets[c + 1];
-        double due = spacing / 2;  // metres until the next point
-        for (uint32_t i = first; i + 1 < end; ++i) {
-            const double length = (position_of(mesh, lines.points[i + 1]) - position_of(mesh, lines.points[i])).norm();
-            for (; due < length; due += spacing) {
-                out.push_back(between(mesh, lines.points[i], lines.points[i + 1], due / length));
-                if (slice.is_over()) co_await pace;
-            }
-            due -= length;
-            if (slice.is_over()) co_await pace;
-        }
-    }
 }
 
 }  // namespace
@@ -266,7 +274,7 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
         if (seeds.border_spacing > 0) {
             Buffer<BorderStretch> whole(loops.count(), pace.memory());
             co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) { whole[l] = {.loop = l}; });
-            co_await sample_stretches(pace, mesh, loops, whole, seeds.border_spacing, spaced);
+            co_await sample_stretches(pace, mesh, loops, whole, seeds.border_spacing, 1, spaced);
         }
     }
     if (seeds.borders == FLG_TANGLE_BORDERS_EACH) co_await add_each_border(pace, mesh, leaves, places.edges);
@@ -305,27 +313,6 @@ Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr
                                   .perturbation = perturbation,
                                   .may_be_local = kind.extent == FieldExtent::local};
     co_await solve_field(pace, request, field);
-}
-
-Task<Buffer<SurfacePoint>> find_stream_starts(Pace& pace, Surface& surface, const RegionSet& leaves,
-                                              const TangleSeeds& seeds, float spacing, const char* argument) {
-    const Mesh& mesh = surface.mesh();
-    std::pmr::deque<SurfacePoint> points(pace.memory());
-    if (seeds.borders == FLG_TANGLE_BORDERS_OUTER || !seeds.stretches.empty()) {
-        const RegionLoops loops = co_await find_loops(pace, mesh, leaves, seeds, argument);
-        const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, loops, seeds, argument);
-        SurfaceCurves sampled(pace.memory());
-        co_await sample_stretches(pace, mesh, loops, stretches, spacing, sampled);
-        points = std::move(sampled.points);
-    }
-    if (seeds.curves) co_await sample_lines(pace, mesh, seeds.curves->curves, spacing, points);
-    if (points.empty()) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s has neither outer borders nor curves for streams to begin on",
-                      argument);
-    }
-    Buffer<SurfacePoint> starts(points.size(), pace.memory());
-    co_await each(pace, starts.size(), Cost::some_ns, [&](uint32_t i) { starts[i] = points[i]; });
-    co_return starts;
 }
 
 }  // namespace flg

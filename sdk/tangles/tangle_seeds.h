@@ -44,11 +44,14 @@ struct TangleSeeds {
 
     FlgTangleBorders borders = FLG_TANGLE_BORDERS_NONE;
     std::pmr::vector<BorderStretch> stretches;  // of the outer borders
-    bool other_loops = false;                   // the outer borders but the first
+    // The outer border that comes before all others; no_index: the longest.
+    uint32_t first_loop = 0;
+    bool other_loops = false;  // the outer borders but the first
     Buffer<SurfacePoint> points;
     std::shared_ptr<const TracedCurves> curves;  // or null
     float sample_radius = 0;                     // metres; 0: no samples
     uint32_t sample_count = 0;                   // at most
+    bool samples_fit = false;                    // the radius is at most 1.5 times the largest distance from a border
     float border_spacing = 0;                    // metres; 0: no points along the outer borders
     uint64_t seed = 1;
     std::pmr::vector<RegionId> regions;  // whose borders, and where to sample; empty: those of the operator
@@ -72,6 +75,14 @@ struct LeafSet {
 Task<LeafSet> list_leaves(Pace& pace, const RegionTree& tree, const std::pmr::vector<RegionId>& regions,
                           const char* argument);
 
+// The outer borders of leaves, in the order that the seeds say. Fails if there is none.
+Task<RegionLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
+                             const char* argument);
+
+// The stretches asked for, or all loops whole. Fails if one names a loop that does not exist.
+Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const RegionLoops& loops, const TangleSeeds& seeds,
+                                             const char* argument);
+
 // Sources for solve_field. `edges` and `points` hold what the seeds turn out to be, and outlive the sources.
 struct SeedPlaces {
     explicit SeedPlaces(Memory* memory) : edges(memory) {}
@@ -94,10 +105,5 @@ struct FieldKind {
 Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr<Surface>& surface,
                        const LeafSet& leaves, const TangleSeeds& seeds, const char* argument, Perturbation perturbation,
                        FieldKind kind, DistanceField& field);
-
-// Where streams begin: evenly along the seeds' loops, stretches and lines, in their order, about `spacing` metres
-// apart.
-Task<Buffer<SurfacePoint>> find_stream_starts(Pace& pace, Surface& surface, const RegionSet& leaves,
-                                              const TangleSeeds& seeds, float spacing, const char* argument);
 
 }  // namespace flg

@@ -40,15 +40,30 @@ struct Far {
 
 // Triangles with corners of different cells.
 struct Crossings {
-    Crossings(const Mesh& of_mesh, const DistanceField& of_cells, Memory* memory)
-        : mesh(of_mesh), cells(of_cells), triangles(memory), curves(memory) {}
+    Crossings(const Mesh& of_mesh, const DistanceField& of_cells, const CellsApart& which, Memory* memory)
+        : mesh(of_mesh), cells(of_cells), apart(which), triangles(memory), curves(memory) {}
 
     void look_at(uint32_t triangle) {
         const auto& [a, b, c] = mesh.triangles[triangle];
         const Buffer<uint32_t>& labels = cells.labels;
         if (labels[a] == labels[b] && labels[b] == labels[c]) return;
         if (labels[a] == no_index || labels[b] == no_index || labels[c] == no_index) return;
-        triangles.push_back(triangle);
+        if (crossed_edges(triangle).count > 1) triangles.push_back(triangle);
+    }
+
+    struct CrossedEdges {
+        std::array<bool, 3> is_crossed;  // by the corner that the edge begins at
+        uint32_t count;                  // one alone: a border that ends
+    };
+    CrossedEdges crossed_edges(uint32_t triangle) const {
+        const Triple& corners = mesh.triangles[triangle];
+        CrossedEdges edges{};
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t from = corners[k], to = corners[(k + 1) % 3];
+            edges.is_crossed[k] = cells.labels[from] != cells.labels[to] && (!apart || apart(from, to));
+            if (edges.is_crossed[k]) ++edges.count;
+        }
+        return edges;
     }
 
     // The entry of a vertex and a label, or the empty one where it belongs.
@@ -63,6 +78,10 @@ struct Crossings {
 
     float distance(uint32_t vertex, uint32_t label) {
         return cells.labels[vertex] == label ? cells.distances[vertex] : find(vertex, label).distance;
+    }
+    // Where cells without a border between them go on as one.
+    float distance_with(uint32_t vertex, uint32_t label, uint32_t beside) {
+        return apart && !apart(vertex, beside) ? cells.distances[vertex] : distance(vertex, label);
     }
 
     void list(uint32_t triangle) {
@@ -82,8 +101,8 @@ struct Crossings {
             for (const uint32_t label : {cells.labels[b], cells.labels[c]}) {
                 if (label == cells.labels[a]) continue;
                 Far& far = find(a, label);
-                const double found =
-                    unfold(distance(b, label), distance(c, label), to_b.norm(), to_c.norm(), (to_c - to_b).norm());
+                const double found = unfold(distance_with(b, label, c), distance_with(c, label, b), to_b.norm(),
+                                            to_c.norm(), (to_c - to_b).norm());
                 far.distance = std::min(far.distance, static_cast<float>(found));
             }
         }
@@ -115,9 +134,10 @@ struct Crossings {
         const Triple& corners = mesh.triangles[triangle];
         const std::array<uint32_t, 3> labels = {cells.labels[corners[0]], cells.labels[corners[1]],
                                                 cells.labels[corners[2]]};
+        const CrossedEdges edges = crossed_edges(triangle);
         for (uint32_t k = 0; k < 3; ++k) {
             // Corner k of its own: the border crosses the edges that meet there.
-            if (labels[(k + 1) % 3] != labels[(k + 2) % 3]) continue;
+            if (edges.is_crossed[(k + 1) % 3]) continue;
             return add_segment(crossing(3 * triangle + k), crossing(3 * triangle + (k + 2) % 3));
         }
         std::array<SurfacePoint, 3> ends;
@@ -147,6 +167,7 @@ struct Crossings {
 
     const Mesh& mesh;
     const DistanceField& cells;
+    const CellsApart& apart;
     std::pmr::deque<uint32_t> triangles;
     Buffer<Far> table;  // open addressing; a power of two
     SurfaceCurves curves;
@@ -154,9 +175,9 @@ struct Crossings {
 
 }  // namespace
 
-Task<SurfaceCurves> voronoi_borders(Pace& pace, const Mesh& mesh, const RegionSet& regions,
-                                    const DistanceField& cells) {
-    Crossings crossings(mesh, cells, pace.memory());
+Task<SurfaceCurves> voronoi_borders(Pace& pace, const Mesh& mesh, const RegionSet& regions, const DistanceField& cells,
+                                    const CellsApart& apart) {
+    Crossings crossings(mesh, cells, apart, pace.memory());
     const std::pmr::deque<uint32_t>& crossed = crossings.triangles;
     co_await each_within(pace, mesh, regions, Cost::some_ns, [&](uint32_t t) { crossings.look_at(t); });
     // At most 6 entries a triangle, each shared by two triangles or more but at borders.

@@ -44,6 +44,48 @@ TEST(SurfaceOrder, SameBitsUnderAnyWorkersAndBudgets) {
     }
 }
 
+// A job says what it waits for: its input, those before it on its surface, or its turn.
+TEST(SurfaceOrder, JobsSayWhatTheyWaitFor) {
+    const SurfaceHost host;
+    MeshArrays mesh = plane(4);
+    const FlgMeshView view = mesh.view();
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    desc.mesh = &view;
+    FlgSurface surface{};
+    FlgJob making{}, measuring{}, cutting{}, later{};
+    ASSERT_EQ(flgSurfaceCreate(host.context, &desc, &surface, &making), FLG_OK);
+    FlgFieldGeodesicDesc source = flgFieldGeodesicDefaults();
+    const uint32_t corner = 0;
+    source.surface = surface;
+    source.vertices = &corner;
+    source.vertex_count = 1;
+    FlgField field{}, other{};
+    ASSERT_EQ(flgFieldCreateGeodesic(host.context, &source, &field, &measuring), FLG_OK);
+    FlgSurfaceCutIsolinesDesc cut = flgSurfaceCutIsolinesDefaults();
+    const float level = 0.5f;
+    cut.field = field;
+    cut.levels = &level;
+    cut.level_count = 1;
+    ASSERT_EQ(flgSurfaceCutIsolines(host.context, &cut, nullptr, &cutting), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(flgFieldCreateGeodesic(host.context, &source, &other, &later), FLG_OK);
+    EXPECT_EQ(host.status_of(making).wait, FLG_JOB_WAIT_TURN);
+    EXPECT_EQ(host.status_of(making).waits_for.id, 0u);
+    EXPECT_EQ(host.status_of(measuring).wait, FLG_JOB_WAIT_INPUT);
+    EXPECT_EQ(host.status_of(measuring).waits_for.id, making.id);
+    EXPECT_EQ(host.status_of(cutting).wait, FLG_JOB_WAIT_INPUT);
+    EXPECT_EQ(host.status_of(later).wait, FLG_JOB_WAIT_INPUT);
+    while (host.status_of(making).state != FLG_JOB_STATE_FINISHED) flgContextTick(host.context, 1, nullptr);
+    EXPECT_EQ(host.status_of(making).wait, FLG_JOB_WAIT_NONE);
+    while (host.status_of(measuring).state != FLG_JOB_STATE_FINISHED) flgContextTick(host.context, 1, nullptr);
+    EXPECT_EQ(host.status_of(later).wait, FLG_JOB_WAIT_ORDER) << "the cut was started earlier";
+    EXPECT_EQ(host.status_of(later).waits_for.id, cutting.id);
+    host.finish();
+    for (const FlgJob job : {making, measuring, cutting, later}) {
+        EXPECT_EQ(host.status_of(job).wait, FLG_JOB_WAIT_NONE);
+        EXPECT_EQ(host.status_of(job).remaining_us, 0);
+    }
+}
+
 TEST(SurfaceOrder, NothingIsShownWhileAChangeIsPending) {
     const SurfaceHost host;
     MeshArrays mesh = plane(1);

@@ -71,9 +71,10 @@ inline Task<void> store_hash_sum(Pace& pace, uint32_t count, uint32_t chunk, uin
 
 template <class Make>
 std::shared_ptr<Job> submit(Runtime& runtime, Make&& make, FlgPriority priority = FLG_PRIORITY_NORMAL,
-                            std::initializer_list<Prerequisite> prerequisites = {}) {
+                            std::initializer_list<Prerequisite> prerequisites = {}, uint64_t deadline_ns = UINT64_MAX) {
     std::shared_ptr<Job> job = runtime.scheduler().make_job(runtime.memory());
     job->priority = priority;
+    job->deadline_ns = deadline_ns;
     job->strand.start(make(job->strand.pace));
     std::pmr::vector<Prerequisite> wait_for(prerequisites, runtime.memory());
     runtime.scheduler().submit(job, wait_for);

@@ -18,17 +18,25 @@ struct Turns : testing::Test {
 
     // Each of its steps takes 100 us.
     std::shared_ptr<Job> submit_steps(Runtime& runtime, uint32_t steps, FlgPriority priority = FLG_PRIORITY_NORMAL,
-                                      std::initializer_list<Prerequisite> prerequisites = {}) {
+                                      std::initializer_list<Prerequisite> prerequisites = {},
+                                      uint32_t deadline_us = 0) {
         struct Body {
             static Task<void> run(Pace& pace, ManualClock& clock, uint32_t count) {
+                pace.expect(count);
                 for (uint32_t i = 0; i < count; ++i) {
                     clock.now_ns += 100'000;
+                    pace.advance(1);
                     co_await pace;
                 }
             }
         };
         return submit(
-            runtime, [&](Pace& pace) { return Body::run(pace, clock, steps); }, priority, prerequisites);
+            runtime, [&](Pace& pace) { return Body::run(pace, clock, steps); }, priority, prerequisites,
+            deadline_us == 0 ? UINT64_MAX : clock.now_ns + uint64_t{1000} * deadline_us);
+    }
+    std::shared_ptr<Job> submit_wanted(Runtime& runtime, uint32_t steps, uint32_t deadline_us,
+                                       std::initializer_list<Prerequisite> prerequisites = {}) {
+        return submit_steps(runtime, steps, FLG_PRIORITY_NORMAL, prerequisites, deadline_us);
     }
     static uint32_t frames_until_done(Runtime& runtime, const Job& job) {
         uint32_t frames = 0;
@@ -84,7 +92,96 @@ TEST_F(Turns, WhatAJobWaitsForHasItsPriority) {
     EXPECT_EQ(lower->status.result, FLG_OK);
 }
 
+TEST_F(Turns, DeadlinesComeFirstTheNearestBeforeTheOthers) {
+    Runtime runtime(desc, &memory, memory.large_blocks);
+    submit_steps(runtime, 100'000);
+    const auto short_one = submit_steps(runtime, 10);
+    const auto far = submit_wanted(runtime, 30, 50'000), near = submit_wanted(runtime, 30, 10'000);
+    EXPECT_LE(frames_until_done(runtime, *near), 2u);
+    EXPECT_EQ(far->status.state, FLG_JOB_STATE_WAITING);
+    EXPECT_LE(frames_until_done(runtime, *far), 3u);
+    EXPECT_EQ(short_one->status.state, FLG_JOB_STATE_WAITING);
+    EXPECT_EQ(far->status.late_us, 0);
+    EXPECT_EQ(near->status.late_us, 0);
+}
+
+// 20 ms of work that is wanted in 30 ms has to go on at once where it has 1 ms left in 12 ms; but not later on.
+TEST_F(Turns, WhatIsLeftCountsAgainstADeadline) {
+    Runtime runtime(desc, &memory, memory.large_blocks);
+    const auto large = submit_wanted(runtime, 200, 30'000);
+    runtime.tick(frame_us);
+    EXPECT_NEAR(large->status.remaining_us, 18'000, 200);
+    const auto small = submit_wanted(runtime, 10, 14'000);
+    runtime.tick(frame_us);
+    EXPECT_EQ(small->status.state, FLG_JOB_STATE_WAITING);
+    EXPECT_LE(frames_until_done(runtime, *small), 4u);
+    EXPECT_EQ(large->status.state, FLG_JOB_STATE_RUNNING);
+    frames_until_done(runtime, *large);
+    EXPECT_EQ(small->status.late_us, 0);
+    EXPECT_EQ(large->status.late_us, 0);
+    EXPECT_EQ(large->status.remaining_us, 0);
+}
+
+TEST_F(Turns, WhatAJobWaitsForHasItsDeadline) {
+    Runtime runtime(desc, &memory, memory.large_blocks);
+    for (int i = 0; i < 5; ++i) submit_steps(runtime, 100'000);
+    const auto first = submit_steps(runtime, 30), second = submit_steps(runtime, 30, FLG_PRIORITY_NORMAL, {first});
+    const auto wanted = submit_wanted(runtime, 10, 10'000, {second});
+    EXPECT_LE(frames_until_done(runtime, *wanted), 4u);
+    EXPECT_EQ(wanted->status.late_us, 0);
+    // Of higher priority all the same.
+    const auto high = submit_steps(runtime, 10, FLG_PRIORITY_HIGH);
+    const auto late = submit_wanted(runtime, 100, 1000);
+    EXPECT_EQ(frames_until_done(runtime, *high), 1u);
+    EXPECT_NE(late->status.state, FLG_JOB_STATE_FINISHED);
+}
+
+TEST_F(Turns, MissedDeadlinesAreCountedOnceAndTheJobGoesOn) {
+    Runtime runtime(desc, &memory, memory.large_blocks);
+    const auto job = submit_wanted(runtime, 100, 5'000);
+    uint32_t late = 0;
+    for (int i = 0; i < 10; ++i) {
+        late += runtime.tick(frame_us).jobs_late;
+        if (job->status.state != FLG_JOB_STATE_FINISHED) {
+            EXPECT_NEAR(job->status.late_us, std::max(0, 2000 * i - 5000), 2100) << i;
+        }
+    }
+    EXPECT_EQ(late, 1u);
+    EXPECT_EQ(job->status.result, FLG_OK);
+    EXPECT_NEAR(job->status.late_us, 5'000, 2'200);
+}
+
 // None of these may take time that grows with the square of their number.
+TEST_F(Turns, AHundredThousandDeadlinesAreKeptInTheirOrderWhateverIsCancelled) {
+    constexpr uint32_t count = 100'000;
+    Runtime runtime(desc, &memory, memory.large_blocks);
+    struct Body {
+        static Task<void> run(Pace&, std::vector<uint32_t>& order, uint32_t number) {
+            order.push_back(number);
+            co_return;
+        }
+    };
+    const auto deadline = [&](uint32_t i) { return uint64_t{1'000'000'000} + uint64_t{i} * 70'001 % 99'991; };
+    std::vector<uint32_t> order, expected;
+    std::vector<std::shared_ptr<Job>> jobs;
+    for (uint32_t i = 0; i < count; ++i) {
+        jobs.push_back(submit(
+            runtime, [&](Pace& pace) { return Body::run(pace, order, i); }, FLG_PRIORITY_NORMAL, {}, deadline(i)));
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        if (i % 3 == 1) {
+            runtime.scheduler().cancel(*jobs[i]);
+        } else {
+            expected.push_back(i);
+        }
+    }
+    std::sort(expected.begin(), expected.end(),
+              [&](uint32_t a, uint32_t b) { return std::pair(deadline(a), a) < std::pair(deadline(b), b); });
+    runtime.tick(FLG_UNLIMITED);
+    EXPECT_TRUE(order == expected);
+    for (uint32_t i = 0; i < count; ++i) ASSERT_EQ(jobs[i]->status.result, i % 3 == 1 ? FLG_ERROR_CANCELLED : FLG_OK);
+}
+
 TEST_F(Turns, AHundredThousandJobsEndOneByOne) {
     constexpr uint32_t count = 100'000;
     {

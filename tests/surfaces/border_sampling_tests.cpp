@@ -10,7 +10,8 @@
 namespace flg::test {
 namespace {
 
-SurfaceCurves sample(const Mesh& mesh, const std::vector<uint32_t>& labels, float spacing, bool haltingly = false) {
+SurfaceCurves sample(const Mesh& mesh, const std::vector<uint32_t>& labels, float spacing, bool haltingly = false,
+                     uint32_t multiple = 1) {
     SurfaceCurves curves(test_memory());
     const RegionSet regions = labels.empty()
                                   ? RegionSet(test_memory())
@@ -20,7 +21,8 @@ SurfaceCurves sample(const Mesh& mesh, const std::vector<uint32_t>& labels, floa
     std::vector<BorderStretch> stretches(loops.count());
     for (uint32_t l = 0; l < loops.count(); ++l) stretches[l] = {.loop = l};
     run_now(
-        test_memory(), [&](Pace& pace) { return sample_stretches(pace, mesh, loops, stretches, spacing, curves); },
+        test_memory(),
+        [&](Pace& pace) { return sample_stretches(pace, mesh, loops, stretches, spacing, multiple, curves); },
         haltingly);
     return curves;
 }
@@ -83,6 +85,24 @@ TEST(BorderSampling, PointsLieOnBorderEdgesOfTheRegion) {
             on_border |= weights[(k + 2) % 3] == 0 && mesh.regions[across] != 4;
         }
         EXPECT_TRUE(on_border);
+    }
+}
+
+// To the nearest multiple; the outline is 4 m long.
+TEST(BorderSampling, WholeLoopsGetAMultiple) {
+    const Mesh mesh = make_mesh(plane(7, 0.2));
+    for (const auto& [spacing, multiple, count] : {std::tuple{0.36f, 2u, 12u},
+                                                   {0.31f, 2u, 12u},
+                                                   {0.3f, 2u, 14u},
+                                                   {0.3f, 3u, 12u},
+                                                   {0.3f, 5u, 15u},
+                                                   {2.0f, 2u, 4u},
+                                                   {100.0f, 2u, 4u},
+                                                   {100.0f, 3u, 3u},
+                                                   {100.0f, 7u, 3u},
+                                                   {0.3f, 20u, 20u},
+                                                   {0.3f, 40u, 13u}}) {
+        EXPECT_EQ(sample(mesh, {}, spacing, false, multiple).points.size(), count) << spacing << " " << multiple;
     }
 }
 

@@ -61,6 +61,71 @@ TEST(TangleMacros, AGridIsAChequerboard) {
     expect_chequered(host, surface, tangle);
 }
 
+// A tube whose lower border is a third longer than the upper one.
+MeshArrays flared(uint32_t around, uint32_t rows) {
+    MeshArrays mesh = cylinder(around, rows);
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+        const float wide = 1 + (2 - mesh.positions[3 * v + 2]) / 6;
+        mesh.positions[3 * v] *= wide;
+        mesh.positions[3 * v + 1] *= wide;
+    }
+    return mesh;
+}
+
+// Whatever its length, a border gets an even number of strips: those that touch are of different groups.
+TEST(TangleMacros, SunburstsCloseWithoutASeam) {
+    const TangleHost host;
+    for (const float size : {0.31f, 0.47f, 0.52f, 0.6f, 1.1f, 40.0f}) {
+        const FlgSurface surface = host.surface(cylinder(96, 24));
+        const FlgTangle tangle = host.tangle(surface);
+        FlgTangleApplyMacroDesc desc = macro(tangle, FLG_TANGLE_MACRO_SUNBURST);
+        desc.size = size;
+        ASSERT_EQ(apply(host, desc), FLG_OK) << size;
+        const size_t strips = host.leaves(tangle).size();
+        EXPECT_EQ(strips % 2, 0u) << size;
+        EXPECT_NEAR(static_cast<double>(strips), std::max(4.0, 2 * M_PI / size), 1.01) << size;
+        expect_valid(host, surface, tangle, host.report(surface).area);
+        expect_chequered(host, surface, tangle);
+    }
+}
+
+TEST(TangleMacros, SunburstsStartFromTheLongestBorderOrTheOneThatIsNamed) {
+    const TangleHost host;
+    for (const uint32_t border : {FLG_NO_INDEX, 0u, 1u}) {
+        const FlgSurface surface = host.surface(flared(96, 24));
+        const FlgTangle tangle = host.tangle(surface);
+        ASSERT_LT(host.view(surface).mesh->triangles[0], 96u);
+        FlgTangleApplyMacroDesc desc = macro(tangle, FLG_TANGLE_MACRO_SUNBURST);
+        desc.border = border;
+        desc.size = 0.4f;
+        ASSERT_EQ(apply(host, desc), FLG_OK);
+        // The least edge is one of the first row of triangles, which is the lower one.
+        const double length = border == 1 ? 2 * M_PI : 8 * M_PI / 3;
+        EXPECT_EQ(host.leaves(tangle).size(), 2 * static_cast<size_t>(std::lround(length / 0.4 / 2))) << border;
+    }
+    const FlgSurface surface = host.surface(flared(24, 4));
+    FlgTangleApplyMacroDesc desc = macro(host.tangle(surface), FLG_TANGLE_MACRO_SUNBURST);
+    desc.border = 2;
+    EXPECT_EQ(apply(host, desc), FLG_ERROR_INVALID_ARGUMENT);
+}
+
+// However narrow the strip: one row of petals at least.
+TEST(TangleMacros, FlowersFitIntoNarrowStrips) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(cylinder(160, 40));
+    const FlgTangle tangle = host.tangle(surface);
+    FlgTangleApplyMacroDesc desc = macro(tangle, FLG_TANGLE_MACRO_FLOWER);
+    desc.count = 2;
+    desc.spacing = 30;
+    ASSERT_EQ(apply(host, desc), FLG_OK);
+    expect_valid(host, surface, tangle, host.report(surface).area);
+    // The strip is 2 m wide and 6.28 m long: samples are 1.5 m apart at least, and 0.75 m from its borders.
+    uint32_t petals = 0;
+    for (const uint32_t leaf : host.leaves(tangle)) petals += host.region(tangle, leaf).part == 2;
+    EXPECT_GE(petals, 3u);
+    EXPECT_LE(petals, 6u);
+}
+
 TEST(TangleMacros, RefuseWhatTheyCantDo) {
     const TangleHost host;
     const FlgSurface surface = host.surface(plane(8));

@@ -117,6 +117,84 @@ TEST(TangleOperators, StreamsMakeEqualStrips) {
     expect_chequered(host, surface, tangle);  // parts are counted around
 }
 
+TEST(TangleOperators, StreamsOfBothBordersEndAtTheRidgeBetweenThem) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(cylinder(120, 30));
+    const FlgTangle tangle = host.tangle(surface);
+    const double whole = host.report(surface).area;
+    FlgTangleDivideDesc desc = contour(tangle, root, borders(FLG_TANGLE_BORDERS_OUTER), 0.4f, 1);
+    desc.kind = FLG_TANGLE_OPERATOR_STREAM;
+    ASSERT_EQ(host.divide(desc), FLG_OK);
+    expect_valid(host, surface, tangle, whole);
+    // 2 pi / 0.4 to the next even number, twice: half of the tube each.
+    const std::map<uint32_t, double> strips = areas(host.view(surface));
+    ASSERT_EQ(strips.size(), 32u);
+    for (const auto& [label, area] : strips) EXPECT_NEAR(area, whole / 32, 0.03 * whole / 32);
+}
+
+TEST(TangleOperators, StreamsOfASquareEndAtItsDiagonals) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(plane(60));
+    const FlgTangle tangle = host.tangle(surface);
+    FlgTangleDivideDesc desc = contour(tangle, root, borders(FLG_TANGLE_BORDERS_OUTER), 0.1f, 1);
+    desc.kind = FLG_TANGLE_OPERATOR_STREAM;
+    ASSERT_EQ(host.divide(desc), FLG_OK);
+    expect_valid(host, surface, tangle, 1);
+    const FlgSurfaceView view = host.view(surface);
+    const std::map<uint32_t, double> strips = areas(view);
+    ASSERT_EQ(strips.size(), 40u);
+    // Of a side the strip from k to k + 1 tenths is a trapezium under the diagonals.
+    std::vector<double> sorted, expected;
+    for (const auto& [label, area] : strips) sorted.push_back(area);
+    for (int i = 0; i < 40; ++i) expected.push_back(0.1 * (0.05 + 0.1 * std::min(i % 10, 9 - i % 10)));
+    std::sort(sorted.begin(), sorted.end());
+    std::sort(expected.begin(), expected.end());
+    for (int i = 0; i < 40; ++i) EXPECT_NEAR(sorted[i], expected[i], 0.0012) << i;
+}
+
+TEST(TangleOperators, StreamsOfEachLeafStayInIt) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(plane(60));
+    const FlgTangle tangle = host.tangle(surface);
+    ASSERT_EQ(host.divide(contour(tangle, root, at_stretch({0, 0.75f, 1}), 0.25f, 3)), FLG_OK);
+    FlgTangleDivideDesc desc = contour(tangle, root, borders(FLG_TANGLE_BORDERS_EACH), 0.125f, 1);
+    desc.kind = FLG_TANGLE_OPERATOR_STREAM;
+    ASSERT_EQ(host.divide(desc), FLG_OK);
+    expect_valid(host, surface, tangle, 1);
+    // Each leaf of 2.5 m of border: 20 strips, which tile it.
+    std::map<uint32_t, double> of_leaf;
+    std::map<uint32_t, uint32_t> count;
+    for (const auto& [label, area] : areas(host.view(surface))) {
+        of_leaf[host.region(tangle, label).parent] += area;
+        ++count[host.region(tangle, label).parent];
+    }
+    ASSERT_EQ(of_leaf.size(), 4u);
+    for (const auto& [leaf, area] : of_leaf) {
+        EXPECT_NEAR(area, 0.25, 1e-5);
+        EXPECT_EQ(count[leaf], 20u);
+    }
+}
+
+// A line that cuts off less than a millionth of the surface cuts off nothing.
+TEST(TangleOperators, SpecksStayWithThePartBesideThem) {
+    const TangleHost host;
+    for (const double size : {0.0005, 0.02}) {
+        const FlgSurface surface = host.surface(plane(8));
+        const FlgTangle tangle = host.tangle(surface);
+        const FlgSurfaceView view = host.view(surface);
+        // From the left side to the lower one around the corner: a triangle of size^2 / 2, beside the whole.
+        const std::vector<FlgSurfacePoint> points = {point_above(view, 0, size), point_above(view, size, 0),
+                                                     point_above(view, size, 0.5), point_above(view, 1, 0.5)};
+        FlgTangleDivideDesc desc = contour(tangle, root, at_points(points), 0.1f, 1);
+        desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
+        ASSERT_EQ(host.divide(desc), FLG_OK);
+        const std::map<uint32_t, double> parts = areas(host.view(surface));
+        for (const auto& [label, area] : parts) EXPECT_GT(area, 1e-6);
+        EXPECT_EQ(parts.size(), size < 0.01 ? 2u : 3u);
+        expect_valid(host, surface, tangle, 1);
+    }
+}
+
 TEST(TangleOperators, CellsAreNearestToTheirPoints) {
     const TangleHost host;
     const FlgSurface surface = host.surface(plane(48));

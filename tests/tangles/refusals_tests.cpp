@@ -263,6 +263,50 @@ TEST(TangleOddities, ACancelledStepIsNone) {
     EXPECT_EQ(host.info(tangle).leaf_count, 2u);
 }
 
+// Whenever it is cancelled, up to its last stage: what it has cut by then is taken back.
+TEST(TangleOddities, AStepThatIsCancelledWhileItCutsIsTakenBack) {
+    const auto dots = [](FlgTangle tangle) {
+        FlgTangleApplyMacroDesc desc = flgTangleApplyMacroDefaults();
+        desc.kind = FLG_TANGLE_MACRO_GRID;
+        desc.tangle = tangle;
+        desc.regions = root.data();
+        desc.region_count = 1;
+        desc.size = 0.3f;
+        return desc;
+    };
+    const TangleHost whole;
+    const FlgSurface uncancelled = whole.surface(cylinder(60, 30));
+    const FlgTangle of_uncancelled = whole.tangle(uncancelled);
+    const FlgTangleApplyMacroDesc desc_of_whole = dots(of_uncancelled);
+    ASSERT_EQ(flgTangleApplyMacro(whole.context, &desc_of_whole, nullptr), FLG_OK);
+    whole.finish();
+
+    const TangleHost host;
+    const FlgSurface surface = host.surface(cylinder(60, 30));
+    const FlgTangle tangle = host.tangle(surface);
+    const std::string before = bits(host.view(surface));
+    const FlgTangleApplyMacroDesc desc = dots(tangle);
+    std::set<std::string> cancelled_in;
+    for (uint32_t ticks = 1;; ticks += 1 + ticks / 8) {
+        FlgJob job{};
+        ASSERT_EQ(flgTangleApplyMacro(host.context, &desc, &job), FLG_OK);
+        for (uint32_t i = 0; i < ticks; ++i) flgContextTick(host.context, 1, nullptr);
+        const std::string stage = host.status_of(job).stage;
+        ASSERT_EQ(flgJobCancel(host.context, job), FLG_OK);
+        host.finish();
+        if (host.result_of(job) == FLG_OK) break;
+        ASSERT_EQ(host.result_of(job), FLG_ERROR_CANCELLED);
+        cancelled_in.insert(stage);
+        ASSERT_EQ(bits(host.view(surface)), before) << "cancelled in " << stage;
+        ASSERT_EQ(host.info(tangle).region_count, 1u);
+        ASSERT_EQ(host.info(tangle).redo_count, 0u);
+    }
+    EXPECT_TRUE(cancelled_in.contains("cut"));
+    EXPECT_TRUE(cancelled_in.contains("regions"));
+    EXPECT_EQ(bits(host.view(surface)), bits(whole.view(uncancelled)));
+    EXPECT_EQ(host.tree_bits(tangle), whole.tree_bits(of_uncancelled));
+}
+
 TEST(TangleDisplacement, HeightsFollowTheProfile) {
     const TangleHost host;
     const FlgSurface surface = host.surface(plane(20));

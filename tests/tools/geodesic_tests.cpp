@@ -79,13 +79,21 @@ TEST_F(Geodesic, DistancesOnASphereAreAngles) {
                      [&](const Point& p) { return 2 * std::asin(std::min(1.0, distance(p, pole) / 2)); });
 }
 
-TEST_F(Geodesic, TheMethodThatIsThereCanBeNamedTheOtherOneHasLeft) {
+TEST_F(Geodesic, AccuracyIsRefinedOrExact) {
     folder.write("square.off", square(16).off());
     const std::vector<double> unnamed = distances("square.off", {"--source", "0"});
     EXPECT_EQ(distances("square.off", {"--source", "0", "--accuracy", "refined"}), unnamed);
     EXPECT_EQ(report().at("parameters").at("accuracy"), "refined");
+    const TestMesh round = sphere(8);
+    folder.write("sphere.off", round.off());
+    const std::vector<double> near = distances("sphere.off", {"--source", "3"});
+    const std::vector<double> exact = distances("sphere.off", {"--source", "3", "--accuracy", "exact"});
+    EXPECT_EQ(report().at("parameters").at("accuracy"), "exact");
+    ASSERT_EQ(near.size(), exact.size());
+    for (size_t v = 0; v < near.size(); ++v) EXPECT_NEAR(near[v], exact[v], 0.01 * exact[v]);
+    EXPECT_NE(near, exact);
     expect_refused({"geodesic", "square.off", "--source", "0", "-o", "other.txt", "--accuracy", "graph"}, 2,
-                   {"--accuracy", "'graph' has left the product"});
+                   {"--accuracy", "'graph' is none of exact|refined"});
 }
 
 TEST_F(Geodesic, VerticesAreTheFilesAndInfWhereNoWayLeads) {
@@ -148,8 +156,8 @@ TEST_F(Geodesic, BadUsageExitsWithTwo) {
     }
     expect_refused({"geodesic", "square.off", "-o", "field.txt"}, 2, {"--source"});
     expect_refused({"geodesic", "square.off", "--source", "0"}, 2, {"--output"});
-    expect_refused({"geodesic", "square.off", "--source", "0", "-o", "field.txt", "--accuracy", "exact"}, 2,
-                   {"--accuracy", "exact"});
+    expect_refused({"geodesic", "square.off", "--source", "0", "-o", "field.txt", "--accuracy", "graph"}, 2,
+                   {"--accuracy", "graph"});
     for (const char* most : {"0", "-1", "nan", "inf"}) {
         expect_refused({"geodesic", "square.off", "--source", "0", "-o", "field.txt", "--max-distance", most}, 2,
                        {"--max-distance"});

@@ -11,6 +11,7 @@ namespace flg::cli {
 struct GeodesicOptions {
     std::string mesh;
     std::vector<Place> sources;
+    FlgAccuracy accuracy = FLG_ACCURACY_REFINED;
     float max_distance = std::numeric_limits<float>::infinity();
 
     void add_to(CLI::App& app);

@@ -230,6 +230,8 @@ typedef struct FlgFrameReport {
     float max_slice_us;          /* longest slice of uninterrupted work since the last tick, on any thread */
     const char* max_slice_stage; /* its stage, a string literal; "start" before a job's first, "" without a slice */
     FlgJob max_slice_job;        /* its job; may have been released since */
+    uint32_t jobs_late;          /* jobs published by this tick after their deadline */
+    uint32_t reserved;
 } FlgFrameReport;
 
 FLG_API FlgResult flgFrameReportInit(FlgFrameReport* report, uint32_t struct_size);
@@ -301,8 +303,8 @@ typedef enum FlgPriority {
 typedef struct FlgJobOptions {
     uint32_t struct_size;
     /* Ready jobs of higher priority run first, and a job has at least the priority of those that wait for it. Among
-     * equals, jobs that have run for less than 4 ms come first, in order of submission; the others take turns, four at
-     * a time. Default FLG_PRIORITY_NORMAL. */
+     * equals, those with a deadline come first, ordered by when they must go on; then jobs that have run for less than
+     * 4 ms, in order of submission; the others take turns, four at a time. Default FLG_PRIORITY_NORMAL. */
     FlgPriority priority;
     /* Nonzero: the complete part of a result can be viewed before the job finishes (flgCurveSetGetView then shows the
      * leading finished curves). Default 0. */
@@ -315,6 +317,10 @@ typedef struct FlgJobOptions {
      * `job` is null if no handle was requested. Null: none. */
     void (*on_finished)(void* user_data, FlgJob job, FlgResult result);
     void* user_data;
+    /* The result is wanted so many microseconds after this call, by the context's clock. What the job waits for has at
+     * least this deadline. A job that misses it goes on: FlgFrameReport::jobs_late. Default 0: no deadline. */
+    uint32_t deadline_us;
+    uint32_t reserved;
 } FlgJobOptions;
 
 FLG_API FlgResult flgJobOptionsInit(FlgJobOptions* options, uint32_t struct_size);
@@ -327,6 +333,15 @@ typedef enum FlgJobState {
     FLG_JOB_STATE_FORCE_32BIT = 0x7fffffff
 } FlgJobState;
 
+/* Why a job does not go on. */
+typedef enum FlgJobWait {
+    FLG_JOB_WAIT_NONE = 0,    /* it runs, or is finished */
+    FLG_JOB_WAIT_INPUT = 1,   /* another job makes what it needs, or it was told to wait for it */
+    FLG_JOB_WAIT_ORDER = 2,   /* a job on the same surface that was started earlier comes first */
+    FLG_JOB_WAIT_TURN = 3,    /* it could begin: others run */
+    FLG_JOB_WAIT_FORCE_32BIT = 0x7fffffff
+} FlgJobWait;
+
 typedef struct FlgJobStatus {
     uint32_t struct_size;
     FlgJobState state;
@@ -336,11 +351,17 @@ typedef struct FlgJobStatus {
     const char* error;      /* what went wrong, "" if nothing; valid until the job is released */
     float busy_us;          /* time spent on it, over all threads */
     float max_slice_us;     /* its longest slice of uninterrupted work so far */
+    FlgJobWait wait;        /* for what it waits, now */
+    float remaining_us;     /* work that is left, by what it took so far; negative: unknown */
+    FlgJob waits_for;       /* the first job that it waits for; null: none, or one without a handle */
+    float late_us;          /* from its deadline to the tick that published it, or to the last tick; 0: not late */
+    uint32_t reserved;
 } FlgJobStatus;
 
 FLG_API FlgResult flgJobStatusInit(FlgJobStatus* status, uint32_t struct_size);
 
-/* The job's state as of the last flgContextTick. Cost: tens of nanoseconds. */
+/* The job's state as of the last flgContextTick, but for what it waits for. Cost: tens of nanoseconds, and a nanosecond
+ * for each job that it waited for. */
 FLG_API FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status);
 
 /* How long a stage of a job took. */
@@ -356,7 +377,7 @@ FLG_API FlgResult flgJobGetStages(FlgContext context, FlgJob job, FlgStageTime* 
                                   uint32_t* out_count);
 
 /* Requests cancellation. A later flgContextTick publishes the job with FLG_ERROR_CANCELLED, or with its result if it
- * had already finished or begun to change a surface; such a change always completes. What the job held is freed, and
+ * had already finished or begun to cut a surface, which completes; a tangle's step is taken back. Its memory is freed;
  * jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobCancel(FlgContext context, FlgJob job);
 

@@ -354,6 +354,9 @@ using Priority = FlgPriority;
 /// Where a job is, as of the last flgContextTick.
 using JobState = FlgJobState;
 
+/// Why a job does not go on.
+using JobWait = FlgJobWait;
+
 /// What a column of a curve set means, and its number of floats per point:
 using Attribute = FlgAttribute;
 
@@ -390,6 +393,9 @@ using BrushUv = FlgBrushUv;
 
 /// How triangles are refined.
 using Subdivision = FlgSubdivision;
+
+/// How near distances are to those of the triangles.
+using Accuracy = FlgAccuracy;
 
 /// What a host or its user sets about a joint.
 using JointEditKind = FlgJointEditKind;
@@ -3341,7 +3347,8 @@ class Job : public detail::Owner<FlgJob, flgJobRelease> {
 public:
     using Owner::Owner;
 
-    /// The job's state as of the last flgContextTick. Cost: tens of nanoseconds.
+    /// The job's state as of the last flgContextTick, but for what it waits for. Cost: tens of nanoseconds, and a
+    /// nanosecond for each job that it waited for.
     /// Calls flgJobGetStatus.
     Result<JobStatus> status() const {
         FlgJobStatus out_status;
@@ -3372,8 +3379,8 @@ public:
     }
 
     /// Requests cancellation. A later flgContextTick publishes the job with FLG_ERROR_CANCELLED, or with its result if
-    /// it had already finished or begun to change a surface; such a change always completes. What the job held is
-    /// freed, and jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of nanoseconds.
+    /// it had already finished or begun to cut a surface, which completes; a tangle's step is taken back. Its memory is
+    /// freed; jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of nanoseconds.
     /// Calls flgJobCancel.
     Result<bool> cancel() const {
         const FlgResult result = flgJobCancel(context_, handle_);
@@ -3961,10 +3968,11 @@ public:
     using Owner::Owner;
 
     /// Starts a job that divides regions by an operator. If it leaves them whole (delta beyond the field, no room for
-    /// samples, a line that does not separate), the step changes nothing. Fails if a region does not exist, if
-    /// requested borders do not exist, if streams have no line to start on, or above FLG_REGION_MAX regions. Cost: a
-    /// field (40 ns a triangle of the regions; with b two, with samples two more), and the cut (flgSurfaceCutIsolines).
-    /// On 2 million triangles a region of 10,000 takes some 10 ms where many edges are flipped.
+    /// samples, a line that does not separate), the step changes nothing. What it cuts off a region that is smaller
+    /// than a millionth of the surface stays with the part beside it. Fails if a region does not exist, if requested
+    /// borders do not exist, if streams have no line to start on, or above FLG_REGION_MAX regions. Cost: a field (40 ns
+    /// a triangle of the regions; with b two, with samples two more), and the cut (flgSurfaceCutIsolines). On 2 million
+    /// triangles a region of 10,000 takes some 10 ms where many edges are flipped.
     /// Calls flgTangleDivide.
     Result<Job> divide(TangleDivideDesc desc = {}) const {
         desc.tangle = handle_;

@@ -84,7 +84,8 @@ FLG_API FlgResult flgTangleSeedsInit(FlgTangleSeeds* seeds, uint32_t struct_size
 typedef enum FlgTangleOperator {
     FLG_TANGLE_OPERATOR_CONTOUR = 0,  /* cuts along isolines of the field of a, or of the blend between a and b */
     FLG_TANGLE_OPERATOR_STREAM = 1,   /* cuts along integral curves that start evenly spaced on a, which must be
-                                         lines or borders */
+                                         lines or borders; without b also along the ridge where those of
+                                         borders meet */
     FLG_TANGLE_OPERATOR_VORONOI = 2,  /* cells of the points and samples of a */
     FLG_TANGLE_OPERATOR_POLYLINE = 3, /* cuts along shortest paths between consecutive points of a, and along its
                                          curves */
@@ -115,7 +116,8 @@ typedef struct FlgTangleDivideDesc {
     const FlgTangleSeeds* a;    /* where the operator starts */
     const FlgTangleSeeds* b;    /* the field is blended: 0 at a and 1 at b; null: it is not */
     float delta;                /* > 0. Contours: metres, or a fraction below 1 of the blend. Streams: metres along
-                                   a. Default 0.1 */
+                                   a; a closed border gets a multiple of two strips, or of `cycle`, where so
+                                   many groups take turns. Default 0.1 */
     FlgTangleGrouping grouping; /* default FLG_TANGLE_GROUPING_TWO */
     uint32_t cycle;             /* group count for FLG_TANGLE_GROUPING_CYCLE, 1 to 65536; default 3 */
     uint32_t scaffold;          /* nonzero: the borders are invisible. Default 0 */
@@ -130,7 +132,8 @@ typedef struct FlgTangleDivideDesc {
 FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t struct_size);
 
 /* Starts a job that divides regions by an operator. If it leaves them whole (delta beyond the field, no room for
- * samples, a line that does not separate), the step changes nothing. Fails if a region does not exist, if requested
+ * samples, a line that does not separate), the step changes nothing. What it cuts off a region that is smaller than a
+ * millionth of the surface stays with the part beside it. Fails if a region does not exist, if requested
  * borders do not exist, if streams have no line to start on, or above FLG_REGION_MAX regions. Cost: a field (40 ns a
  * triangle of the regions; with b two, with samples two more), and the cut (flgSurfaceCutIsolines). On 2 million
  * triangles a region of 10,000 takes some 10 ms where many edges are flipped. */
@@ -138,12 +141,12 @@ FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc*
 
 /* Common combinations of operators. */
 typedef enum FlgTangleMacro {
-    FLG_TANGLE_MACRO_SUNBURST = 0,   /* strips from the first border to the others: a stream of the blend */
+    FLG_TANGLE_MACRO_SUNBURST = 0,   /* strips from one border to the others: a stream of the blend */
     FLG_TANGLE_MACRO_POLKA_DOTS = 1, /* discs around samples: a contour */
     FLG_TANGLE_MACRO_FRAMES = 2,     /* bands along the outer borders: contours */
     FLG_TANGLE_MACRO_FLOWER = 3,     /* petals between the outer borders and samples: contours of the blend */
     FLG_TANGLE_MACRO_GRID =
-        4, /* a chequerboard between the first border and the others: contours of the blend, then a stream */
+        4, /* a chequerboard between one border and the others: contours of the blend, then a stream */
     FLG_TANGLE_MACRO_OUTLINE = 5, /* a band along every border: a contour */
     FLG_TANGLE_MACRO_LACE = 6,    /* scallops: a contour of points along the outer borders */
     FLG_TANGLE_MACRO_CELLS = 7,   /* Voronoi cells of samples */
@@ -159,12 +162,17 @@ typedef struct FlgTangleApplyMacroDesc {
     const uint32_t* regions; /* as for an operator; copied */
     uint32_t region_count;   /* at least 1 */
     uint32_t count;          /* frames, nested petals, rows of the grid: 1 to 256; default 4 */
-    /* Metres, > 0; default 0.1. Sunbursts and grids: width of strips and columns along the first border. Dots and lace:
-     * radius. Frames and outlines: band width. Unused by flowers and cells. */
+    /* Metres, > 0; default 0.1. Sunbursts and grids: width of strips and columns along the border they start from. Dots
+     * and lace: radius. Frames and outlines: band width. Unused by flowers and cells. */
     float size;
-    /* Minimum distance between samples, or between scallops; metres, > 0; default 0.3. */
+    /* Minimum distance between samples, or between scallops; metres, > 0; default 0.3. Flowers have no larger one than
+     * 1.5 times the largest distance from a border: there is a petal in every strip. */
     float spacing;
     uint64_t seed; /* for samples; default 1 */
+    /* Sunbursts and grids: the border they start from, an index as in FlgBorderStretch. FLG_NO_INDEX (default): the
+     * longest. */
+    uint32_t border;
+    uint32_t reserved;
 } FlgTangleApplyMacroDesc;
 
 FLG_API FlgResult flgTangleApplyMacroDescInit(FlgTangleApplyMacroDesc* desc, uint32_t struct_size);

@@ -10,6 +10,7 @@
 #include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_scene.h"
 #include "io/gltf/gltf_triangles.h"
+#include "io/gltf/kept_bytes.h"
 #include "io/gltf/mixed_vertices.h"
 
 namespace flg::io {
@@ -18,7 +19,6 @@ namespace {
 
 constexpr uint32_t no_record = UINT32_MAX;
 constexpr uint64_t own_material = UINT64_MAX;
-constexpr uint64_t alignment = 4;  // of bytes in the file
 
 // A primitive of triangles that the scene shows, as flgMeshFileRead reads it.
 struct ShownPrimitive {
@@ -411,91 +411,11 @@ private:
             if (std::binary_search(left.views.begin(), left.views.end(), v)) continue;
             const String place = "bufferViews[" + to_text(v) + "]";
             const Json& view = document_.element("bufferViews", v, place);
-            keep_bytes(view, place);
-            for_extensions(view, place, [&](const Json& json, const String& here) { keep_bytes(json, here); });
+            kept_.add(document_, view, place);
         }
-        String bytes;
-        for (KeptRange& range : merge_ranges()) {
-            range.at = bytes.size();
-            bytes.append(as_text(document_.buffer(range.buffer).subspan(range.begin, range.end - range.begin)));
-            bytes.resize((bytes.size() + alignment - 1) / alignment * alignment, '\0');
-        }
+        String bytes = kept_.merge(document_);
         glb_.emplace(GlbBuilder::Places{document_.size("bufferViews"), std::move(left.views)},
                      GlbBuilder::Places{document_.size("accessors"), std::move(left.accessors)}, std::move(bytes));
-    }
-
-    // Bytes of a buffer that go into the file.
-    struct KeptRange {
-        uint64_t buffer, begin, end;
-        uint64_t at = 0;  // there
-    };
-
-    // Of a view, or of what an extension says in its place.
-    void keep_bytes(const Json& view, const String& place) {
-        const uint64_t buffer = gltf_required(view, "buffer", place), length = gltf_required(view, "byteLength", place);
-        const uint64_t offset = gltf_unsigned(view, "byteOffset", 0, place);
-        document_.element("buffers", buffer, place + ".buffer");
-        const uint64_t size = document_.buffer(buffer).size();
-        if (offset > size || length > size - offset)
-            fail(FLG_ERROR_FORMAT, place, "covers bytes that its buffer does not have");
-        kept_.push_back({buffer, offset / alignment * alignment, offset + length});
-    }
-
-    // Views may share bytes: each is kept once.
-    Vector<KeptRange>& merge_ranges() {
-        std::sort(kept_.begin(), kept_.end(), [](const KeptRange& a, const KeptRange& b) {
-            return std::pair(a.buffer, a.begin) < std::pair(b.buffer, b.begin);
-        });
-        Vector<KeptRange> merged;
-        for (const KeptRange& range : kept_) {
-            if (!merged.empty() && merged.back().buffer == range.buffer && range.begin <= merged.back().end)
-                merged.back().end = std::max(merged.back().end, range.end);
-            else
-                merged.push_back(range);
-        }
-        return kept_ = std::move(merged);
-    }
-
-    uint64_t place_of_byte(uint64_t buffer, uint64_t offset) const {
-        const auto behind = std::upper_bound(kept_.begin(), kept_.end(), std::pair(buffer, offset),
-                                             [](const std::pair<uint64_t, uint64_t>& byte, const KeptRange& range) {
-                                                 return byte < std::pair(range.buffer, range.begin);
-                                             });
-        const KeptRange& range = *std::prev(behind);
-        return range.at + offset - range.begin;
-    }
-
-    // Those of a view's extensions that say where bytes are.
-    template <class Visit>
-    static void for_extensions(const Json& view, const String& place, Visit visit) {
-        const Json* const extensions = view.find("extensions");
-        if (!extensions) return;
-        for (const JsonMember& extension : extensions->members())
-            if (extension.value.find("buffer")) visit(extension.value, place + ".extensions." + String(extension.name));
-    }
-
-    // A view, or what an extension says in its place, in the one buffer.
-    String moved_view(const Json& view, const String& place) const {
-        String text;
-        for (const JsonMember& member : view.members()) {
-            if (member.name == "buffer" || member.name == "byteOffset") continue;
-            text += "," + json_text(member.name) + ":";
-            if (member.name != "extensions" || !member.value.is_object()) {
-                text += json_text(member.value);
-                continue;
-            }
-            String extensions;
-            for (const JsonMember& extension : member.value.members()) {
-                separate(extensions);
-                extensions +=
-                    json_text(extension.name) + ":" +
-                    (extension.value.find("buffer") ? moved_view(extension.value, place) : json_text(extension.value));
-            }
-            text += "{" + extensions + "}";
-        }
-        const uint64_t at =
-            place_of_byte(gltf_required(view, "buffer", place), gltf_unsigned(view, "byteOffset", 0, place));
-        return "{\"buffer\":0,\"byteOffset\":" + to_text(at) + text + "}";
     }
 
     String image_text(uint64_t index) {
@@ -624,7 +544,7 @@ private:
         text += list("accessors", glb_->accessors(), own("accessors"));
         text += list("bufferViews", glb_->views(), [this](uint64_t v) {
             const String place = "bufferViews[" + to_text(v) + "]";
-            return moved_view(document_.element("bufferViews", v, place), place);
+            return kept_.moved_view(document_.element("bufferViews", v, place), place);
         });
         return text + ",\"buffers\":[{\"byteLength\":" + to_text(glb_->binary().size()) + "}]}";
     }
@@ -641,7 +561,7 @@ private:
     Vector<uint32_t> next_record_, records_of_vertex_, record_of_own_;
 
     std::optional<GlbBuilder> glb_;
-    Vector<KeptRange> kept_;
+    KeptBytes kept_;
     Map<std::pair<uint32_t, bool>, uint64_t> materials_;  // by label, and whether both sides are seen
     String material_texts_;
 };

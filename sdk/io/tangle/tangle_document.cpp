@@ -295,6 +295,8 @@ void TangleDocument::read_macro(const JsonValue& value, FlgTangleMacro kind, Arr
     desc.size = value.at("size").number();
     desc.spacing = value.at("spacing").number();
     desc.seed = value.at("seed").count(UINT64_MAX);
+    const std::optional<JsonValue> border = value.find("border");
+    desc.border = border ? static_cast<uint32_t>(border->count(any_count)) : FLG_NO_INDEX;
     step.kind = FLG_TANGLE_STEP_KIND_MACRO;
     step.macro = &macros_.emplace_back(desc);
 }
@@ -610,6 +612,7 @@ void Writer::macro(JsonText& json, const FlgTangleApplyMacroDesc* given, const S
     json.member("size", number(desc.size, place + ".size"));
     json.member("spacing", number(desc.spacing, place + ".spacing"));
     json.count("seed", desc.seed);
+    if (desc.border != FLG_NO_INDEX) json.count("border", desc.border);
 }
 
 void Writer::displace(JsonText& json, const FlgTangleDisplaceDesc* given, const String& place) {

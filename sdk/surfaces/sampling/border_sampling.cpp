@@ -11,17 +11,19 @@ namespace flg {
 
 namespace {
 
-constexpr double max_points = 0x1p24;
+constexpr double least_steps = 3, max_points = 0x1p24;
 
 Task<void> sample_stretch(Pace& pace, const Mesh& mesh, const RegionLoops& loops, BorderStretch stretch, float spacing,
-                          SurfaceCurves& curves) {
+                          uint32_t multiple, SurfaceCurves& curves) {
     const double whole = loops.lengths[stretch.loop], length = whole * (stretch.end - stretch.begin);
-    const double steps = std::round(length / spacing);
+    const bool has_room = multiple <= std::max(least_steps + 1, 2 * length / spacing);
+    const double of = stretch.is_whole() && has_room ? multiple : 1;
+    const double steps = of * std::max(std::round(length / spacing / of), std::ceil(least_steps / of));
     if (!(steps <= max_points)) {
         throw Failure(FLG_ERROR_LIMIT, "spacing %g makes more than 2^24 points of a border of %g m", double{spacing},
                       length);
     }
-    const uint32_t count = std::max(3u, static_cast<uint32_t>(steps));
+    const auto count = static_cast<uint32_t>(steps);
     uint32_t placed = stretch.is_whole() ? 0 : 1;
     uint32_t edge = loops.offsets[stretch.loop];
     double walked = 0;  // metres, from the loop's beginning up to the edge
@@ -46,8 +48,10 @@ Task<void> sample_stretch(Pace& pace, const Mesh& mesh, const RegionLoops& loops
 }  // namespace
 
 Task<void> sample_stretches(Pace& pace, const Mesh& mesh, const RegionLoops& loops,
-                            std::span<const BorderStretch> stretches, float spacing, SurfaceCurves& curves) {
-    for (const BorderStretch& stretch : stretches) co_await sample_stretch(pace, mesh, loops, stretch, spacing, curves);
+                            std::span<const BorderStretch> stretches, float spacing, uint32_t multiple,
+                            SurfaceCurves& curves) {
+    for (const BorderStretch& stretch : stretches)
+        co_await sample_stretch(pace, mesh, loops, stretch, spacing, multiple, curves);
 }
 
 }  // namespace flg

@@ -22,10 +22,12 @@ struct BorderStretch {
 };
 
 // Appends a curve a stretch. Each gets a whole number of equal steps: as near to `spacing` (metres, > 0) as can be,
-// three at least. Whole loops become closed curves whose first point is where the stretch begins; of others only
-// points between their ends are placed, so that these with the ends cut them into equal pieces. A curve's value is the
-// length of its stretch. Fails with FLG_ERROR_LIMIT if one would get more than 2^24 points.
+// three at least; whole loops a multiple of `multiple` (>= 1), unless that is more than twice as many. Whole loops
+// become closed curves whose first point is where the stretch begins; of others only points between their ends are
+// placed, so that these with the ends cut them into equal pieces. A curve's value is the length of its stretch. Fails
+// with FLG_ERROR_LIMIT if one would get more than 2^24 points.
 Task<void> sample_stretches(Pace& pace, const Mesh& mesh, const RegionLoops& loops,
-                            std::span<const BorderStretch> stretches, float spacing, SurfaceCurves& curves);
+                            std::span<const BorderStretch> stretches, float spacing, uint32_t multiple,
+                            SurfaceCurves& curves);
 
 }  // namespace flg

@@ -135,7 +135,10 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobStatusInit(FlgJobStatus* status, uint struct_size);
 
-        /// <summary>The job's state as of the last flgContextTick. Cost: tens of nanoseconds.</summary>
+        /// <summary>
+        /// The job's state as of the last flgContextTick, but for what it waits for. Cost: tens of nanoseconds, and a
+        /// nanosecond for each job that it waited for.
+        /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status);
 
@@ -150,8 +153,8 @@ namespace Filigree
 
         /// <summary>
         /// Requests cancellation. A later flgContextTick publishes the job with FlgResult.ErrorCancelled, or with its
-        /// result if it had already finished or begun to change a surface; such a change always completes. What the job
-        /// held is freed, and jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of
+        /// result if it had already finished or begun to cut a surface, which completes; a tangle's step is taken back.
+        /// Its memory is freed; jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of
         /// nanoseconds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]

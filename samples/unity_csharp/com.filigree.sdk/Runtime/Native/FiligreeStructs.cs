@@ -186,6 +186,9 @@ namespace Filigree
         public byte* max_slice_stage;
         /// <summary>its job; may have been released since</summary>
         public FlgJob max_slice_job;
+        /// <summary>jobs published by this tick after their deadline</summary>
+        public uint jobs_late;
+        public uint reserved;
     }
 
     /// <summary>Bytes of the host's allocator that a context holds.</summary>
@@ -219,8 +222,8 @@ namespace Filigree
         public uint struct_size;
         /// <summary>
         /// Ready jobs of higher priority run first, and a job has at least the priority of those that wait for it.
-        /// Among equals, jobs that have run for less than 4 ms come first, in order of submission; the others take
-        /// turns, four at a time. Default FlgPriority.Normal.
+        /// Among equals, those with a deadline come first, ordered by when they must go on; then jobs that have run for
+        /// less than 4 ms, in order of submission; the others take turns, four at a time. Default FlgPriority.Normal.
         /// </summary>
         public FlgPriority priority;
         /// <summary>
@@ -241,6 +244,12 @@ namespace Filigree
         /// </summary>
         public IntPtr on_finished;
         public void* user_data;
+        /// <summary>
+        /// The result is wanted so many microseconds after this call, by the context's clock. What the job waits for
+        /// has at least this deadline. A job that misses it goes on: FlgFrameReport::jobs_late. Default 0: no deadline.
+        /// </summary>
+        public uint deadline_us;
+        public uint reserved;
     }
 
     public unsafe partial struct FlgJobStatus
@@ -259,6 +268,15 @@ namespace Filigree
         public float busy_us;
         /// <summary>its longest slice of uninterrupted work so far</summary>
         public float max_slice_us;
+        /// <summary>for what it waits, now</summary>
+        public FlgJobWait wait;
+        /// <summary>work that is left, by what it took so far; negative: unknown</summary>
+        public float remaining_us;
+        /// <summary>the first job that it waits for; null: none, or one without a handle</summary>
+        public FlgJob waits_for;
+        /// <summary>from its deadline to the tick that published it, or to the last tick; 0: not late</summary>
+        public float late_us;
+        public uint reserved;
     }
 
     /// <summary>How long a stage of a job took.</summary>

@@ -234,6 +234,9 @@ namespace Filigree
         public float frequency;
         /// <summary>of the noise; default 1</summary>
         public ulong seed;
+        /// <summary>default FlgAccuracy.Refined; an exact field has no perturbation</summary>
+        public FlgAccuracy accuracy;
+        public uint reserved;
     }
 
     public unsafe partial struct FlgFieldView

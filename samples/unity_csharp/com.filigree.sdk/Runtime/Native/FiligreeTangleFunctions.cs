@@ -51,7 +51,8 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that divides regions by an operator. If it leaves them whole (delta beyond the field, no room
-        /// for samples, a line that does not separate), the step changes nothing. Fails if a region does not exist, if
+        /// for samples, a line that does not separate), the step changes nothing. What it cuts off a region that is
+        /// smaller than a millionth of the surface stays with the part beside it. Fails if a region does not exist, if
         /// requested borders do not exist, if streams have no line to start on, or above FLG_REGION_MAX regions. Cost:
         /// a field (40 ns a triangle of the regions; with b two, with samples two more), and the cut
         /// (flgSurfaceCutIsolines). On 2 million triangles a region of 10,000 takes some 10 ms where many edges are

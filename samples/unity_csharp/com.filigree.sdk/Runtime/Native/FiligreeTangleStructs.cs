@@ -71,7 +71,8 @@ namespace Filigree
         /// <summary>the field is blended: 0 at a and 1 at b; null: it is not</summary>
         public FlgTangleSeeds* b;
         /// <summary>
-        /// &gt; 0. Contours: metres, or a fraction below 1 of the blend. Streams: metres along a. Default 0.1
+        /// &gt; 0. Contours: metres, or a fraction below 1 of the blend. Streams: metres along a; a closed border gets
+        /// a multiple of two strips, or of `cycle`, where so many groups take turns. Default 0.1
         /// </summary>
         public float delta;
         /// <summary>default FlgTangleGrouping.Two</summary>
@@ -106,14 +107,23 @@ namespace Filigree
         /// <summary>frames, nested petals, rows of the grid: 1 to 256; default 4</summary>
         public uint count;
         /// <summary>
-        /// Metres, &gt; 0; default 0.1. Sunbursts and grids: width of strips and columns along the first border. Dots
-        /// and lace: radius. Frames and outlines: band width. Unused by flowers and cells.
+        /// Metres, &gt; 0; default 0.1. Sunbursts and grids: width of strips and columns along the border they start
+        /// from. Dots and lace: radius. Frames and outlines: band width. Unused by flowers and cells.
         /// </summary>
         public float size;
-        /// <summary>Minimum distance between samples, or between scallops; metres, &gt; 0; default 0.3.</summary>
+        /// <summary>
+        /// Minimum distance between samples, or between scallops; metres, &gt; 0; default 0.3. Flowers have no larger
+        /// one than 1.5 times the largest distance from a border: there is a petal in every strip.
+        /// </summary>
         public float spacing;
         /// <summary>for samples; default 1</summary>
         public ulong seed;
+        /// <summary>
+        /// Sunbursts and grids: the border they start from, an index as in FlgBorderStretch. FLG_NO_INDEX (default):
+        /// the longest.
+        /// </summary>
+        public uint border;
+        public uint reserved;
     }
 
     /// <summary>

@@ -25,7 +25,7 @@ namespace Filigree
         Contour = 0,
         /// <summary>
         /// FLG_TANGLE_OPERATOR_STREAM: cuts along integral curves that start evenly spaced on a, which must be lines or
-        /// borders
+        /// borders; without b also along the ridge where those of borders meet
         /// </summary>
         Stream = 1,
         /// <summary>FLG_TANGLE_OPERATOR_VORONOI: cells of the points and samples of a</summary>
@@ -53,9 +53,7 @@ namespace Filigree
     /// <summary>Common combinations of operators.</summary>
     public enum FlgTangleMacro
     {
-        /// <summary>
-        /// FLG_TANGLE_MACRO_SUNBURST: strips from the first border to the others: a stream of the blend
-        /// </summary>
+        /// <summary>FLG_TANGLE_MACRO_SUNBURST: strips from one border to the others: a stream of the blend</summary>
         Sunburst = 0,
         /// <summary>FLG_TANGLE_MACRO_POLKA_DOTS: discs around samples: a contour</summary>
         PolkaDots = 1,
@@ -66,7 +64,7 @@ namespace Filigree
         /// </summary>
         Flower = 3,
         /// <summary>
-        /// FLG_TANGLE_MACRO_GRID: a chequerboard between the first border and the others: contours of the blend, then a
+        /// FLG_TANGLE_MACRO_GRID: a chequerboard between one border and the others: contours of the blend, then a
         /// stream
         /// </summary>
         Grid = 4,

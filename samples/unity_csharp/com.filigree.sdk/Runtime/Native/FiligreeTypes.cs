@@ -108,6 +108,19 @@ namespace Filigree
         Finished = 2,
     }
 
+    /// <summary>Why a job does not go on.</summary>
+    public enum FlgJobWait
+    {
+        /// <summary>FLG_JOB_WAIT_NONE: it runs, or is finished</summary>
+        None = 0,
+        /// <summary>FLG_JOB_WAIT_INPUT: another job makes what it needs, or it was told to wait for it</summary>
+        Input = 1,
+        /// <summary>FLG_JOB_WAIT_ORDER: a job on the same surface that was started earlier comes first</summary>
+        Order = 2,
+        /// <summary>FLG_JOB_WAIT_TURN: it could begin: others run</summary>
+        Turn = 3,
+    }
+
     /// <summary>What a column of a curve set means, and its number of floats per point:</summary>
     public enum FlgAttribute
     {

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "tangles/stream_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/failure.h"
+#include "runtime/each.h"
+#include "surfaces/mesh/index_table.h"
+#include "surfaces/mesh/surface_place.h"
+#include "surfaces/tracing/integral_curves.h"
+#include "tangles/voronoi_borders.h"
+
+namespace flg {
+
+namespace {
+
+// ---- Where they start
+
+// At `t` of the way from a point to one that lies in its triangle.
+SurfacePoint between(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to, double t) {
+    const Triple& corners = mesh.triangles[from.triangle];
+    const Vec3 origin = mesh.position(corners[0]);
+    const Vec3 a = mesh.position(corners[1]) - origin, b = mesh.position(corners[2]) - origin;
+    const Vec3 place = position_of(mesh, to) - origin, normal = a.cross(b);
+    const double area = normal.squaredNorm();
+    if (!(area > 0)) return from;
+    const double u = std::clamp(place.cross(b).dot(normal) / area, 0.0, 1.0);
+    const double v = std::clamp(a.cross(place).dot(normal) / area, 0.0, 1 - u);
+    return {from.triangle, static_cast<float>(from.u + (u - from.u) * t),
+            static_cast<float>(from.v + (v - from.v) * t)};
+}
+
+// Evenly along curves on the surface, begun half a step from their beginning.
+Task<void> sample_lines(Pace& pace, const Mesh& mesh, const SurfaceCurves& lines, float spacing,
+                        std::pmr::deque<SurfacePoint>& out) {
+    Slice slice(Cost::hundreds_of_ns);
+    for (uint32_t c = 0; c < lines.curve_count(); ++c) {
+        const uint32_t first = lines.offsets[c], end = lines.offsets[c + 1];
+        double due = spacing / 2;  // metres until the next point
+        for (uint32_t i = first; i + 1 < end; ++i) {
+            const double length = (position_of(mesh, lines.points[i + 1]) - position_of(mesh, lines.points[i])).norm();
+            for (; due < length; due += spacing) {
+                out.push_back(between(mesh, lines.points[i], lines.points[i + 1], due / length));
+                if (slice.is_over()) co_await pace;
+            }
+            due -= length;
+            if (slice.is_over()) co_await pace;
+        }
+    }
+}
+
+// So many groups take turns along a border.
+uint32_t groups_in_turn(const FlgTangleDivideDesc& desc) {
+    switch (desc.grouping) {
+        case FLG_TANGLE_GROUPING_TWO: return 2;
+        case FLG_TANGLE_GROUPING_CYCLE: return desc.cycle;
+        default: return 1;
+    }
+}
+
+Task<void> trace_from(Pace& pace, const Mesh& mesh, const DistanceField& field, const RegionSet& within,
+                      const std::pmr::deque<SurfacePoint>& points, SurfaceCurves& curves) {
+    if (points.empty()) co_return;
+    Buffer<SurfacePoint> starts(points.size(), pace.memory());
+    co_await each(pace, starts.size(), Cost::some_ns, [&](uint32_t i) { starts[i] = points[i]; });
+    const std::span<const float> values(field.distances.data(), field.distances.size());
+    const std::span<const SurfacePoint> from(starts.data(), starts.size());
+    co_await add_integral_curves(pace, mesh, values, within, from, IntegralCurveOptions{}, curves);
+}
+
+// ---- Ridges
+
+// A border's edges in their order: where along which loop each of them lies.
+struct BorderEdges {
+    explicit BorderEdges(Memory* memory) : edges(memory), places(memory) {}
+
+    struct Place {
+        uint32_t loop;
+        double begin, end;  // metres along it
+        double whole;       // its length
+    };
+    std::pmr::deque<Corner> edges;
+    std::pmr::deque<Place> places;
+
+    // Metres along a loop between two of its edges, the shorter way round.
+    static double gap(const Place& a, const Place& b) {
+        const double ahead = b.begin - a.end, behind = a.begin - b.end;
+        return std::max(0.0, std::min(std::max(ahead, behind), std::min(ahead, behind) + a.whole));
+    }
+};
+
+Task<void> add_loop_edges(Pace& pace, const Mesh& mesh, const RegionLoops& loops, uint32_t loop, BorderEdges& border) {
+    double walked = 0;
+    co_await each(pace, loops.offsets[loop], loops.offsets[loop + 1], Cost::tens_of_ns, [&](uint32_t i) {
+        const double begin = walked;
+        walked += edge_length(mesh, loops.edges[i]);
+        border.edges.push_back(loops.edges[i]);
+        border.places.push_back({loop, begin, walked, loops.lengths[loop]});
+    });
+}
+
+// Where distances from whole loops meet that start far apart: so far that the fronts turn by some 30 degrees from one
+// to the other.
+Task<SurfaceCurves> trace_ridges(Pace& pace, const std::shared_ptr<Surface>& surface, const RegionSet& within,
+                                 const RegionLoops& loops, const Buffer<BorderStretch>& stretches,
+                                 Perturbation perturbation) {
+    const Mesh& mesh = surface->mesh();
+    BorderEdges border(pace.memory());
+    for (const BorderStretch& stretch : stretches) co_await add_loop_edges(pace, mesh, loops, stretch.loop, border);
+    GeodesicSources sources;
+    sources.edges = &border.edges;
+    sources.edges_apart = true;
+    RegionSet regions = within;
+    const GeodesicRequest request{.surface = surface,
+                                  .sources = std::move(sources),
+                                  .regions = std::move(regions),
+                                  .max_distance = unreachable,
+                                  .targets = {},
+                                  .labelled = true,
+                                  .perturbation = perturbation,
+                                  .may_be_local = true};
+    DistanceField cells;
+    co_await solve_field(pace, request, cells);
+    const auto apart = [&](uint32_t from, uint32_t to) {
+        const BorderEdges::Place &a = border.places[cells.labels[from]], &b = border.places[cells.labels[to]];
+        if (a.loop != b.loop) return true;
+        const double edge = (mesh.position(to) - mesh.position(from)).norm();
+        return BorderEdges::gap(a, b) > 0.5 * std::max(cells.distances[from], cells.distances[to]) + edge;
+    };
+    co_return co_await voronoi_borders(pace, mesh, within, cells, std::cref(apart));
+}
+
+void add_curve(const SurfaceCurves& from, uint32_t curve, SurfaceCurves& to) {
+    to.offsets.push_back(static_cast<uint32_t>(to.points.size()));
+    to.closed.push_back(false);
+    to.values.push_back(from.values[curve]);
+}
+
+// Of the points of ridges in the triangle of `from`, but for that one itself, the nearest to a place; null if there is
+// no other. The ridges are `first` and those behind it.
+std::optional<SurfacePoint> nearest_on_ridge(const Mesh& mesh, const SurfaceCurves& ridges, uint32_t first,
+                                             const SurfacePoint& from, const Vec3& place) {
+    std::optional<SurfacePoint> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (uint32_t i = 2 * first; i < ridges.points.size() && ridges.points[i].triangle == from.triangle; ++i) {
+        const SurfacePoint& point = ridges.points[i];
+        const double square = (position_of(mesh, point) - place).squaredNorm();
+        if (!(square < least) || (point.u == from.u && point.v == from.v)) continue;
+        least = square;
+        nearest = point;
+    }
+    return nearest;
+}
+
+// Of the triangles around a place, the first that a ridge crosses; no_index if there is none.
+uint32_t ridge_triangle_around(const Mesh& mesh, const IndexTable& first_ridge, const SurfacePlace& place) {
+    if (place.on == SurfacePlace::On::triangle) return no_index;
+    const auto crossed = [&](Corner corner) {
+        return corner != no_index && first_ridge.find(triangle_of(corner)) != no_index;
+    };
+    if (place.on == SurfacePlace::On::edge) {
+        const Corner across = mesh.opposite(place.index);
+        return crossed(place.index) ? triangle_of(place.index) : crossed(across) ? triangle_of(across) : no_index;
+    }
+    const Corner first = mesh.corner_of_vertex[place.index];
+    Corner corner = first;
+    do {
+        if (crossed(corner)) return triangle_of(corner);
+        corner = mesh.turn(corner);
+    } while (corner != first && corner != no_index);
+    return no_index;
+}
+
+// Streams up to the first triangle that a ridge crosses, and there to it; those that end beside one on to it. Then the
+// ridges.
+Task<void> end_at_ridges(Pace& pace, const Mesh& mesh, const SurfaceCurves& streams, const SurfaceCurves& ridges,
+                         SurfaceCurves& out) {
+    IndexTable first_ridge;  // by triangle
+    co_await IndexTable::reserve(pace, first_ridge, ridges.curve_count());
+    co_await each(pace, ridges.curve_count(), Cost::tens_of_ns, [&](uint32_t r) {
+        const uint32_t triangle = ridges.points[2 * r].triangle;
+        if (r == 0 || ridges.points[2 * r - 2].triangle != triangle) first_ridge.insert(triangle, r);
+    });
+    uint32_t stream = 0;
+    bool is_whole = true;
+    co_await each(pace, streams.points.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        SurfacePoint point = streams.points[i];
+        const bool is_last = i + 1 == streams.offsets[stream + 1];
+        const Vec3 ahead = position_of(mesh, streams.points[is_last ? i : i + 1]);
+        if (is_whole && is_last) {
+            const SurfacePlace place = place_in(mesh, point.triangle, weights_of(point));
+            const uint32_t around = ridge_triangle_around(mesh, first_ridge, place);
+            if (around != no_index) find_in(mesh, place, around, point);
+        }
+        if (is_whole) out.points.push_back(point);
+        const uint32_t ridge = is_whole ? first_ridge.find(point.triangle) : no_index;
+        if (ridge != no_index) {
+            const std::optional<SurfacePoint> end = nearest_on_ridge(mesh, ridges, ridge, point, ahead);
+            if (end) out.points.push_back(*end);
+            is_whole = !end;
+        }
+        if (!is_last) return;
+        add_curve(streams, stream++, out);
+        is_whole = true;
+    });
+    co_await each(pace, ridges.curve_count(), Cost::tens_of_ns, [&](uint32_t r) {
+        out.points.push_back(ridges.points[2 * r]);
+        out.points.push_back(ridges.points[2 * r + 1]);
+        add_curve(ridges, r, out);
+    });
+}
+
+// ---- Both
+
+struct Bed {
+    Tangle& tangle;
+    const DivideRequest& request;
+    const DistanceField& field;
+};
+
+// `within`: what the curves stay in; the loops bound it, or more than that.
+Task<void> trace_from_loops(Pace& pace, const Bed& bed, const RegionSet& within, const RegionLoops& loops,
+                            const Buffer<BorderStretch>& stretches, StreamLines& streams, SurfaceCurves& ridges) {
+    const Mesh& mesh = bed.tangle.surface->mesh();
+    const FlgTangleDivideDesc& desc = bed.request.desc;
+    SurfaceCurves starts(pace.memory());
+    co_await sample_stretches(pace, mesh, loops, stretches, desc.delta, groups_in_turn(desc), starts);
+    co_await trace_from(pace, mesh, bed.field, within, starts.points, streams.curves);
+    const bool all_whole = std::all_of(stretches.begin(), stretches.end(), [](const auto& s) { return s.is_whole(); });
+    if (!bed.request.b.empty() || !all_whole) co_return;
+    const SurfaceCurves found =
+        co_await trace_ridges(pace, bed.tangle.surface, within, loops, stretches, bed.request.perturbation());
+    co_await each(pace, found.curve_count(), Cost::tens_of_ns, [&](uint32_t r) {
+        ridges.points.push_back(found.points[2 * r]);
+        ridges.points.push_back(found.points[2 * r + 1]);
+        add_curve(found, r, ridges);
+    });
+}
+
+}  // namespace
+
+Task<StreamLines> trace_streams(Pace& pace, Tangle& tangle, const LeafSet& leaves, const DivideRequest& request,
+                                const DistanceField& field) {
+    pace.stage("streams");
+    const Mesh& mesh = tangle.surface->mesh();
+    const TangleSeeds& a = request.a;
+    const Bed bed{tangle, request, field};
+    LeafSet own(pace.memory());
+    if (!a.regions.empty()) own = co_await list_leaves(pace, tangle.tree, a.regions, "desc.a");
+    const LeafSet& of_seeds = a.regions.empty() ? leaves : own;
+    StreamLines streams{SurfaceCurves(pace.memory())};
+    SurfaceCurves ridges(pace.memory());
+    if (a.borders == FLG_TANGLE_BORDERS_EACH) {
+        for (const RegionId leaf : of_seeds.list) {
+            const RegionSet one(&leaf, 1, pace.memory());
+            const RegionLoops loops = co_await find_region_loops(pace, mesh, one);
+            Buffer<BorderStretch> whole(loops.count(), pace.memory());
+            co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) { whole[l] = {.loop = l}; });
+            co_await trace_from_loops(pace, bed, one, loops, whole, streams, ridges);
+        }
+    } else if (a.borders == FLG_TANGLE_BORDERS_OUTER || !a.stretches.empty()) {
+        const RegionLoops loops = co_await find_loops(pace, mesh, of_seeds.set, a, "desc.a");
+        const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, loops, a, "desc.a");
+        co_await trace_from_loops(pace, bed, leaves.set, loops, stretches, streams, ridges);
+    }
+    if (a.curves) {
+        std::pmr::deque<SurfacePoint> points(pace.memory());
+        co_await sample_lines(pace, mesh, a.curves->curves, request.desc.delta, points);
+        co_await trace_from(pace, mesh, field, leaves.set, points, streams.curves);
+    } else if (a.borders == FLG_TANGLE_BORDERS_NONE && a.stretches.empty()) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.a has neither borders nor curves for streams to begin on");
+    }
+    streams.stream_count = streams.curves.curve_count();
+    if (ridges.curve_count() == 0) co_return streams;
+    SurfaceCurves ended(pace.memory());
+    co_await end_at_ridges(pace, mesh, streams.curves, ridges, ended);
+    streams.curves = std::move(ended);
+    co_return streams;
+}
+
+}  // namespace flg
