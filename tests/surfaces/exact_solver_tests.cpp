@@ -6,8 +6,11 @@
 #include <numeric>
 #include <random>
 
+#include "core/failure.h"
 #include "reference/literal_geodesics.h"
 #include "surfaces/exact_distances.h"
+#include "surfaces/geodesic_jobs.h"
+#include "surfaces/surface.h"
 
 namespace flg::test {
 namespace {
@@ -123,9 +126,8 @@ TEST(ExactSolver, AgreesWithTheOracle) {
 
 // A flat grid that floats make rough: shadows of one in ten million behind all saddles.
 TEST(ExactSolver, SeesThroughTheRoundingOfATiltedPlane) {
-    const Mesh mesh = make_mesh(grid(48, 48, [](double x, double y) {
-        return Vec3(0.7 * x + 0.1 * y, 0.9 * y - 0.3 * x, 0.37 * x + 0.21 * y);
-    }));
+    const Mesh mesh = make_mesh(grid(
+        48, 48, [](double x, double y) { return Vec3(0.7 * x + 0.1 * y, 0.9 * y - 0.3 * x, 0.37 * x + 0.21 * y); }));
     for (const uint32_t source : {0u, 5u, 24u * 49 + 24}) {
         const std::vector<double> found = window_distances(mesh, source);
         for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -254,7 +256,8 @@ TEST(ExactSolver, MeasuresFromCurvesInThePlane) {
     for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
         std::vector<SurfacePoint> crossings;
         for (Corner corner = 3 * t; corner < 3 * t + 3; ++corner) {
-            const Vec3 a = mesh.position(mesh.vertex_at(corner)), b = mesh.position(mesh.vertex_at(next_corner(corner)));
+            const Vec3 a = mesh.position(mesh.vertex_at(corner)),
+                       b = mesh.position(mesh.vertex_at(next_corner(corner)));
             const Vec3 along = end - begin, normal(-along.y(), along.x(), 0);
             const double at_a = normal.dot(a - begin), at_b = normal.dot(b - begin);
             if ((at_a < 0) == (at_b < 0)) continue;
@@ -271,7 +274,8 @@ TEST(ExactSolver, MeasuresFromCurvesInThePlane) {
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         double nearest = unreachable;
         for (const auto& [from, end_point] : segments) {
-            nearest = std::min(nearest, to_segment(mesh.position(v), position_of(mesh, from), position_of(mesh, end_point)));
+            nearest =
+                std::min(nearest, to_segment(mesh.position(v), position_of(mesh, from), position_of(mesh, end_point)));
         }
         EXPECT_NEAR(found.distances[v], nearest, 1e-12) << v;
     }
@@ -280,9 +284,8 @@ TEST(ExactSolver, MeasuresFromCurvesInThePlane) {
 TEST(ExactSolver, MeasuresFromTheBorderOfAPlane) {
     const Mesh mesh = make_mesh(plane(17, 0.3));
     const RegionSet all(test_memory());
-    const ExactField found = exact_field_by(mesh, all, {}, [&](Pace& pace, ExactSources& to) {
-        return add_border(pace, mesh, all, 7, to);
-    });
+    const ExactField found =
+        exact_field_by(mesh, all, {}, [&](Pace& pace, ExactSources& to) { return add_border(pace, mesh, all, 7, to); });
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         const Vec3 p = mesh.position(v);
         EXPECT_NEAR(found.distances[v], std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()}), 1e-12);
@@ -290,8 +293,32 @@ TEST(ExactSolver, MeasuresFromTheBorderOfAPlane) {
     }
 }
 
-// A closed curve along edges of a bumpy surface, against as many points on it as that they are no line in sight: a foot
-// is at most half a gap from one of them.
+// Segments in a triangle, to its corners and edges too, against points along them: the nearest of these is at most half
+// a gap from a foot.
+TEST(ExactSolver, MeasuresFromSegmentsAsFromDensePoints) {
+    const Mesh mesh = make_mesh(rough(sphere(2), 0.1));
+    constexpr uint32_t parts = 128;
+    const std::array<std::array<float, 4>, 5> segments = {
+        {{0.3f, 0.2f, 0, 1}, {0.3f, 0, 0, 0}, {0.3f, 0.7f, 0, 0.6f}, {0.1f, 0.2f, 0.5f, 0.3f}, {1, 0, 0, 1}}};
+    for (uint32_t t = 0; t < mesh.triangle_count(); t += 7) {
+        const auto& [u, v, to_u, to_v] = segments[t % segments.size()];
+        const SurfacePoint begin{t, u, v}, end{t, to_u, to_v};
+        const ExactField line = exact_field(mesh, [&](ExactSources& to) { to.add_segment(begin, end, 0); });
+        const ExactField points = exact_field(mesh, [&](ExactSources& to) {
+            for (uint32_t p = 0; p <= parts; ++p) {
+                const float at = static_cast<float>(p) / parts;
+                to.add_point({t, u + (to_u - u) * at, v + (to_v - v) * at}, 0);
+            }
+        });
+        const double gap = (position_of(mesh, end) - position_of(mesh, begin)).norm() / parts;
+        for (uint32_t w = 0; w < mesh.vertex_count(); ++w) {
+            EXPECT_LE(line.distances[w], points.distances[w] + 1e-6) << t << " to " << w;
+            EXPECT_GE(line.distances[w], points.distances[w] - gap / 2 - 1e-6) << t << " to " << w;
+        }
+    }
+}
+
+// A closed curve along edges of a bumpy surface.
 TEST(ExactSolver, MeasuresFromLinesAsFromDensePoints) {
     const Mesh mesh = make_mesh(rough(torus(30, 15), 0.04));
     SurfaceCurves curves(test_memory());
@@ -307,28 +334,26 @@ TEST(ExactSolver, MeasuresFromLinesAsFromDensePoints) {
     curves.offsets.push_back(30);
     curves.closed.push_back(true);
     const RegionSet all(test_memory());
-    const ExactField line = exact_field_by(mesh, all, {}, [&](Pace& pace, ExactSources& to) {
-        return add_curve(pace, curves, 0, 0, to);
-    });
+    const ExactField line =
+        exact_field_by(mesh, all, {}, [&](Pace& pace, ExactSources& to) { return add_curve(pace, curves, 0, 0, to); });
     constexpr uint32_t parts = 64;
     double longest = 0;
     const ExactField points = exact_field(mesh, [&](ExactSources& to) {
         for (uint32_t i = 0; i < 30; ++i) {
             const SurfacePoint at = curves.points[i];
             const Corner corner = 3 * at.triangle + (at.u == 1 ? 1 : at.v == 1 ? 2 : 0);
-            longest = std::max(longest, (mesh.position(mesh.vertex_at(corner)) -
-                                         mesh.position(mesh.vertex_at(next_corner(corner)))).norm());
-            for (uint32_t p = 0; p < parts; ++p)
-                to.add_point(point_on_edge(corner, static_cast<float>(p) / parts), 0);
+            longest = std::max(
+                longest,
+                (mesh.position(mesh.vertex_at(corner)) - mesh.position(mesh.vertex_at(next_corner(corner)))).norm());
+            for (uint32_t p = 0; p < parts; ++p) to.add_point(point_on_edge(corner, static_cast<float>(p) / parts), 0);
         }
     });
     const double gap = longest / parts;
     double furthest = 0;
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_LE(line.distances[v], points.distances[v] + 1e-12) << v;
-        const double least = line.distances[v];
-        EXPECT_GE(least + 1e-12, std::sqrt(std::max(points.distances[v] * points.distances[v] - gap * gap / 4, 0.0)) * (1 - 1e-2 * gap)) << v;
-        furthest = std::max(furthest, least);
+        EXPECT_GE(line.distances[v], points.distances[v] - gap / 2) << v;
+        furthest = std::max(furthest, line.distances[v]);
     }
     EXPECT_GT(furthest, 1);
 }
@@ -397,13 +422,15 @@ TEST(ExactSolver, StopsAtTheLimitAndAtTargets) {
 
 // The same as on a surface that ends where the regions do.
 TEST(ExactSolver, StaysWithinRegions) {
-    const Soup soup = grid(30, 30, [](double x, double y) { return Vec3(x, y, 0.2 * std::sin(9 * x) * std::cos(8 * y)); });
+    const Soup soup =
+        grid(30, 30, [](double x, double y) { return Vec3(x, y, 0.2 * std::sin(9 * x) * std::cos(8 * y)); });
     for (uint64_t seed = 0; seed < 10; ++seed) {
         Mesh mesh = make_mesh(soup);
         const auto is_inside = [&](uint32_t t) {
             const Vec3 middle = middle_of(soup, t);
             // A skyline: no two of its corners touch.
-            return static_cast<uint32_t>(10 * middle.y()) <= random_below(seed, static_cast<uint64_t>(10 * middle.x()), 0, 10);
+            return static_cast<uint32_t>(10 * middle.y()) <=
+                   random_below(seed, static_cast<uint64_t>(10 * middle.x()), 0, 10);
         };
         for (uint32_t t = 0; t < mesh.triangle_count(); ++t) mesh.regions[t] = is_inside(t) ? 4 : 0;
         std::vector<uint32_t> numbers;
@@ -445,6 +472,42 @@ TEST(ExactSolver, PassesVerticesWhereRegionsTouch) {
     }
 }
 
+// Vertices pulled onto each other, onto edges, and far out: edges without length, spikes without area.
+Soup pulled(Soup soup, uint64_t seed, uint32_t moves) {
+    for (uint32_t i = 0; i < moves; ++i) {
+        const Triple& corners = soup.triangles[random_below(seed, i, 0, static_cast<uint32_t>(soup.triangles.size()))];
+        const Vec3 a = load_vec3(soup.positions[corners[0]].data()), b = load_vec3(soup.positions[corners[1]].data());
+        const double at = std::array{0.0, 0.5, 1.0, 20.0, 1e-7, -1.0}[random_below(seed, i, 1, 6)];
+        soup.positions[corners[2]] = to_position(a + at * (b - a));
+    }
+    return soup;
+}
+
+// All together are as far as the nearest of them, also where triangles have no area.
+TEST(ExactSolver, KeepsSourcesOnUglyTrianglesApart) {
+    for (uint64_t seed = 0; seed < 60; ++seed) {
+        const Mesh mesh = make_mesh(pulled(seed % 2 == 0 ? plane(12, 0.4) : sphere(2), seed, 30));
+        constexpr uint32_t sources = 9;
+        const auto add = [&](ExactSources& to, uint32_t i) {
+            const uint32_t t = random_below(seed, i, 7, mesh.triangle_count());
+            if (i % 3 == 0) to.add_point({t, 0.3f, 0.2f}, i);
+            if (i % 3 == 1) to.add_segment({t, 0.3f, 0.2f}, {t, 0, 1}, i);
+            if (i % 3 == 2) to.add_edge(3 * t + 1, i);
+        };
+        const ExactField together = exact_field(mesh, [&](ExactSources& to) {
+            for (uint32_t i = 0; i < sources; ++i) add(to, i);
+        });
+        std::vector<double> nearest(mesh.vertex_count(), unreachable);
+        for (uint32_t i = 0; i < sources; ++i) {
+            const ExactField alone = exact_field(mesh, [&](ExactSources& to) { add(to, i); });
+            for (uint32_t v = 0; v < nearest.size(); ++v) nearest[v] = std::min(nearest[v], alone.distances[v]);
+        }
+        for (uint32_t v = 0; v < nearest.size(); ++v) {
+            EXPECT_NEAR(together.distances[v], nearest[v], 1e-9) << seed << ", " << v;
+        }
+    }
+}
+
 // Neither shorter than the straight line nor longer than along edges, whatever the triangles.
 TEST(ExactSolver, TakesUglyTriangles) {
     std::vector<Shape> ugly;
@@ -464,18 +527,8 @@ TEST(ExactSolver, TakesUglyTriangles) {
     ugly.push_back({"line", flat});
     for (Position& p : flat.positions) p = {};
     ugly.push_back({"place", flat});
-    // Vertices pulled onto each other, onto edges, and far out: spikes without area.
-    for (uint64_t seed = 0; seed < 40; ++seed) {
-        Soup soup = seed % 2 == 0 ? plane(9, 0.2) : sphere(2);
-        for (uint32_t i = 0; i < 25; ++i) {
-            const uint32_t t = random_below(seed, i, 0, static_cast<uint32_t>(soup.triangles.size()));
-            const Triple& corners = soup.triangles[t];
-            const Vec3 a = load_vec3(soup.positions[corners[0]].data()), b = load_vec3(soup.positions[corners[1]].data());
-            const double at = std::array{0.0, 0.5, 1.0, 20.0, 1e-7}[random_below(seed, i, 1, 5)];
-            soup.positions[corners[2]] = to_position(a + at * (b - a));
-        }
-        ugly.push_back({"pulled", soup});
-    }
+    for (uint64_t seed = 0; seed < 40; ++seed)
+        ugly.push_back({"pulled", pulled(seed % 2 == 0 ? plane(9, 0.2) : sphere(2), seed, 25)});
     for (const Shape& shape : ugly) {
         const Mesh mesh = make_mesh(shape.soup);
         for (const uint32_t source : {0u, mesh.vertex_count() / 2}) {
@@ -493,6 +546,47 @@ TEST(ExactSolver, TakesUglyTriangles) {
             to.add_edge(40, 2);
         });
         for (const double distance : field.distances) EXPECT_TRUE(std::isfinite(distance)) << shape.name;
+    }
+}
+
+GeodesicRequest request_of(const Soup& soup, uint32_t source) {
+    auto surface = std::make_shared<Surface>(test_memory(), test_memory());
+    surface->mesh() = make_mesh(soup);
+    GeodesicSources sources;
+    sources.vertices = Buffer<uint32_t>(1, test_memory());
+    sources.vertices[0] = source;
+    return {.surface = surface,
+            .sources = std::move(sources),
+            .regions = RegionSet(test_memory()),
+            .max_distance = unreachable,
+            .targets = {},
+            .labelled = true,
+            .perturbation = {},
+            .exact = true};
+}
+
+TEST(ExactFields, AreTheSolversInFloats) {
+    const Soup soup = rough(torus(24, 12), 0.05);
+    const GeodesicRequest request = request_of(soup, 7);
+    DistanceField field;
+    run_haltingly(test_memory(), [&](Pace& pace) { return solve_field(pace, request, field); });
+    const auto expected = window_distances(make_mesh(soup), 7);
+    for (uint32_t v = 0; v < expected.size(); ++v) {
+        EXPECT_FLOAT_EQ(field.distances[v], static_cast<float>(expected[v]));
+        EXPECT_EQ(field.labels[v], 0u);
+    }
+}
+
+TEST(ExactFields, AreNotPerturbed) {
+    GeodesicRequest request = request_of(sphere(1), 7);
+    request.perturbation.amount = 0.5f;
+    DistanceField field;
+    try {
+        run_now(test_memory(), [&](Pace& pace) { return solve_field(pace, request, field); });
+        FAIL();
+    } catch (const Failure& failure) {
+        EXPECT_EQ(failure.result(), FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_STREQ(failure.what(), "accuracy is exact, perturbation is 0.5 and must be 0");
     }
 }
 

@@ -39,7 +39,7 @@ Task<void> lay_out_faces(Pace& pace, const Mesh& mesh, const RegionSet& within, 
     Buffer<double> angles(mesh.vertex_count(), pace.memory());
     co_await each(pace, mesh.vertex_count(), Cost::some_ns, [&](uint32_t v) {
         angles[v] = 0;
-        out.may_bend[v] = 0;
+        out.bends[v] = Bend::none;
     });
     double sum = 0;
     uint64_t edges = 0;
@@ -57,15 +57,16 @@ Task<void> lay_out_faces(Pace& pace, const Mesh& mesh, const RegionSet& within, 
             sum += face.lengths[k];
             ++edges;
             angles[face.vertices[k]] += std::atan2(face.above[k], face.along[k]);
-            if (face.across[k] != no_index) continue;
-            out.may_bend[face.vertices[k]] = 1;
-            out.may_bend[face.vertices[(k + 1) % 3]] = 1;
+            if (face.across[k] != no_index && face.lengths[k] > 0) continue;
+            const Bend bend = face.lengths[k] > 0 ? Bend::half_turns : Bend::any;
+            for (const uint32_t vertex : {face.vertices[k], face.vertices[(k + 1) % 3]})
+                out.bends[vertex] = std::max(out.bends[vertex], bend);
         }
         out.narrow_count += narrow ? 1 : 0;
     });
     out.mean = edges == 0 ? 0 : sum / static_cast<double>(edges);
     co_await each(pace, mesh.vertex_count(), Cost::some_ns, [&](uint32_t v) {
-        if (angles[v] > full_turn + turn_rounding) out.may_bend[v] = 1;
+        if (angles[v] > full_turn + turn_rounding) out.bends[v] = std::max(out.bends[v], Bend::half_turns);
     });
 }
 

@@ -22,13 +22,19 @@ struct ExactFace {
     bool is_within() const { return vertices[0] != no_index; }
 };
 
+// Where a shortest path may turn.
+enum class Bend : uint8_t {
+    none,
+    half_turns,  // by half a turn or more on both sides: the angles exceed a full turn, or a border is there
+    any          // the vertex lies where a neighbour does, and has its angles too
+};
+
 struct ExactFaces {
     ExactFaces(const Mesh& mesh, Memory* memory)
-        : faces(mesh.triangle_count(), memory), may_bend(mesh.vertex_count(), memory) {}
+        : faces(mesh.triangle_count(), memory), bends(mesh.vertex_count(), memory) {}
 
     Buffer<ExactFace> faces;
-    // By vertex: whether shortest paths may turn there, because its angles exceed a full turn or it lies on a border.
-    Buffer<uint8_t> may_bend;
+    Buffer<Bend> bends;            // by vertex
     double longest = 0, mean = 0;  // edge
     uint32_t narrow_count = 0;     // triangles with an edge that they are narrow above
 };

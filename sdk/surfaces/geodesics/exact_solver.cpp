@@ -33,11 +33,12 @@ Vec2 mirrored(const Vec2& a) {
 }
 // Of an angle from no to a whole turn, but for rounding.
 bool is_half_turn(const Vec2& a) {
-    return a.y() < -angle_rounding || (a.y() <= 0 && a.x() < 0);
+    return a.x() < 0 ? a.y() <= angle_rounding : a.y() < -angle_rounding;
 }
 
 // Where the ray through a place on the x axis meets the line from `start` in a direction, within its length.
-double meeting(const Vec2& ray, double place, const Vec2& start, const Vec2& direction, double length, double parallel) {
+double meeting(const Vec2& ray, double place, const Vec2& start, const Vec2& direction, double length,
+               double parallel) {
     const double s = cross(ray, Vec2(place - start.x(), -start.y())) / cross(ray, direction);
     return s >= 0 ? std::min(s, length) : s < 0 ? 0 : parallel;
 }
@@ -71,8 +72,9 @@ Task<void> begin_exact(Pace& pace, ExactSolver& solver) {
     co_await each(pace, solver.vertices_.size(), Cost::some_ns, [&](uint32_t v) {
         solver.vertices_[v] = {Vec2::Zero(), infinity, no_index, no_index};
     });
-    co_await each(pace, solver.holders_.size(), Cost::some_ns,
-                  [&](uint32_t corner) { solver.holders_[corner] = {infinity, 0, 0}; });
+    co_await each(pace, solver.holders_.size(), Cost::some_ns, [&](uint32_t corner) {
+        solver.holders_[corner] = {infinity, 0, 0};
+    });
 }
 
 Task<void> spread_exact(Pace& pace, ExactSolver& solver) {
@@ -88,7 +90,7 @@ Task<void> spread_exact(Pace& pace, ExactSolver& solver) {
 
 Task<void> take_exact_field(Pace& pace, const ExactSolver& solver, float max_distance, bool labelled,
                             DistanceField& field) {
-    const size_t count = solver.faces().may_bend.size();
+    const size_t count = solver.faces().bends.size();
     field.distances = Buffer<float>(count, pace.memory());
     field.labels = Buffer<uint32_t>(labelled ? count : 0, pace.memory());
     co_await each(pace, count, Cost::some_ns, [&](uint32_t v) {
@@ -129,7 +131,7 @@ void ExactSolver::reach(Corner corner, double distance, const Vec2& direction, u
         if (distance == state.distance && state.corner != no_index) state.label = std::min(state.label, label);
         return;
     }
-    state = {direction, distance, corner, label};
+    state = {direction, distance, direction.squaredNorm() > 0 ? corner : no_index, label};
     if (distance <= limits_.distance) waiting_.push(place_in_ring(distance), {vertex, distance});
 }
 
@@ -331,34 +333,35 @@ void ExactSolver::tell_along_edges(Corner corner, double distance, uint32_t labe
     const ExactFace& face = faces_.faces[triangle_of(corner)];
     const uint32_t k = corner % 3;
     const Corner after = next_corner(corner), before = previous_corner(corner);
-    reach(after, distance + face.lengths[k], second_edge(face, after % 3), label);
-    reach(before, distance + face.lengths[before % 3], {1, 0}, label);
+    const double forth = face.lengths[k], back = face.lengths[before % 3];
+    reach(after, distance + forth, forth > 0 ? second_edge(face, after % 3) : Vec2(0, 0), label);
+    reach(before, distance + back, back > 0 ? Vec2(1, 0) : Vec2(0, 0), label);
 }
 
-// Light goes out from a vertex: everywhere if it is a source, else where it has made half a turn on both sides.
+// Light goes out from a vertex: where it has made half a turn on both sides; if it came from nowhere, everywhere.
 Task<void> ExactSolver::leave(Pace& pace, ExactSolver& solver, uint32_t vertex) {
     const Vertex state = solver.vertices_[vertex];
     const GrowingList<Corner>& fan = solver.fan_;
-    const bool is_source = state.corner == no_index;
-    co_await list_fan(pace, solver, vertex, is_source ? solver.mesh_.corner_of_vertex[vertex] : state.corner);
+    const bool everywhere = state.corner == no_index || solver.faces_.bends[vertex] == Bend::any;
+    co_await list_fan(pace, solver, vertex,
+                      state.corner == no_index ? solver.mesh_.corner_of_vertex[vertex] : state.corner);
     const uint32_t count = fan.size();
     co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
         if (fan[i] != no_index) solver.tell_along_edges(fan[i], state.distance, state.label);
     });
-    if (is_source) {
+    if (everywhere) {
         co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
             if (fan[i] != no_index) solver.light(fan[i], state, nullptr, nullptr);
         });
         co_return;
     }
-    if (solver.faces_.may_bend[vertex] == 0) co_return;
+    if (solver.faces_.bends[vertex] == Bend::none) co_return;
     // Half a turn counter-clockwise and clockwise: the corner that it ends in, and the direction from its first edge.
     // A gap is more than that.
     const auto angle = [&](Corner corner) { return second_edge(solver.faces_.faces[triangle_of(corner)], corner % 3); };
     Slice slice(Cost::tens_of_ns);
-    const Vec2 back = state.direction.squaredNorm() > 0 ? state.direction : Vec2(1, 0);
     uint32_t begin = 1, end = count - 1;
-    Vec2 from = turned(angle(state.corner), mirrored(back)), to = back;
+    Vec2 from = turned(angle(state.corner), mirrored(state.direction)), to = state.direction;
     for (; begin < count && fan[begin] != no_index; ++begin) {
         const Vec2 sum = turned(from, angle(fan[begin]));
         if (is_half_turn(sum)) break;

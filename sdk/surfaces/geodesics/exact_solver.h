@@ -35,7 +35,8 @@ public:
 
     // Light that goes out from a vertex in all directions.
     void start_at(uint32_t vertex, uint32_t label);
-    // From `corner`, at a vertex, the way to the source leads in a direction, given from the corner's first edge.
+    // From `corner`, at a vertex, the way to the source leads in a direction, of length 1, given from the corner's first
+    // edge; or in none, if the vertex lies where the way came from.
     void reach(Corner corner, double distance, const Vec2& direction, uint32_t label);
     void send(Window window);
     // Some sources are no vertices.
@@ -55,7 +56,7 @@ private:
     struct Vertex {
         Vec2 direction;  // to the source, see reach()
         double distance;
-        Corner corner;  // of the direction; no_index: the vertex is a source
+        Corner corner;  // of the direction; no_index: there is none
         uint32_t label;
     };
     // A vertex that waits, as long as its distance is this one.

@@ -9,6 +9,8 @@ namespace flg {
 
 namespace {
 
+constexpr double rounding = 1e-12;  // of lengths: places that are nearer to each other are one
+
 // The corners of a triangle in the coordinates of its first edge.
 struct Layout {
     explicit Layout(const ExactFace& face)
@@ -40,9 +42,12 @@ struct Seen {
 
 // Keeps the part of a window where a + b x >= 0.
 void clip(Window& window, double a, double b) {
-    if (b > 0) window.begin = std::max(window.begin, -a / b);
-    else if (b < 0) window.end = std::min(window.end, -a / b);
-    else if (a < 0) window.end = window.begin;
+    if (b > 0)
+        window.begin = std::max(window.begin, -a / b);
+    else if (b < 0)
+        window.end = std::min(window.end, -a / b);
+    else if (a < 0)
+        window.end = window.begin;
 }
 
 // From a corner, in the direction of its first edge's coordinates.
@@ -60,7 +65,7 @@ void ExactSources::add_point(const SurfacePoint& point, uint32_t label) {
     const Vec2 place = layout(point);
     for (uint32_t k = 0; k < 3; ++k) {
         const double distance = (place - layout.corners[k]).norm();
-        if (!(distance > 0)) return solver_.start_at(face.vertices[k], label);
+        if (distance <= rounding * face.lengths[k]) return solver_.start_at(face.vertices[k], label);
     }
     for (uint32_t k = 0; k < 3; ++k) {
         const double distance = (place - layout.corners[k]).norm();
@@ -84,7 +89,7 @@ void ExactSources::add_segment(const SurfacePoint& begin, const SurfacePoint& en
         const Vec2& corner = layout.corners[k];
         const Vec2 foot = from + std::clamp((corner - from).dot(along), 0.0, length) * along;
         const double distance = (corner - foot).norm();
-        if (distance > 0) {
+        if (distance > rounding * length) {
             solver_.reach(3 * triangle + k, distance, direction_to(layout, k, foot), label);
         } else {
             solver_.start_at(face.vertices[k], label);
@@ -120,7 +125,7 @@ void ExactSources::add_edge(Corner corner, uint32_t label) {
 
 // To the left of a line.
 void ExactSources::shine_straight(uint32_t triangle, const Vec2& begin, const Vec2& end, uint32_t label) {
-    constexpr double least_slope = 1e-9, rounding = 1e-12;  // of rays; of the line's length
+    constexpr double least_slope = 1e-9;  // of rays
     const ExactFace& face = solver_.faces().faces[triangle];
     const Layout layout(face);
     const double length = (end - begin).norm();
@@ -147,7 +152,6 @@ void ExactSources::shine_straight(uint32_t triangle, const Vec2& begin, const Ve
 
 // From a place in the triangle, to what lies `beyond` it; no direction: all around.
 void ExactSources::shine_around(uint32_t triangle, const Vec2& place, const Vec2& beyond, uint32_t label) {
-    constexpr double rounding = 1e-12;  // of the edge's length
     const ExactFace& face = solver_.faces().faces[triangle];
     const Layout layout(face);
     for (uint32_t k = 0; k < 3; ++k) {

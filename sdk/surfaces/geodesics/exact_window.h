@@ -79,10 +79,10 @@ private:
         constexpr double least_stretch = 1e-12, least_angle = 1e-11;  // of the edge; radians
         const double width = end - begin;
         if (!(width > least_stretch * length)) return false;
-        if (is_straight() || (begin <= x && x <= end)) return true;
+        if (is_straight() || (begin < x && x < end)) return true;
         const double from_begin = begin - x, from_end = end - x, height_sq = y * y;
-        return height_sq * width * width > least_angle * least_angle * (from_begin * from_begin + height_sq) *
-                                               (from_end * from_end + height_sq);
+        return height_sq * width * width >
+               least_angle * least_angle * (from_begin * from_begin + height_sq) * (from_end * from_end + height_sq);
     }
 };
 
