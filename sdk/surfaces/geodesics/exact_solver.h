@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Exact geodesic distances: the lengths of shortest paths over the triangles, but for rounding. Windows
 // (exact_window.h) go on from triangle to triangle in the order of their distances; they are not kept. Xin, Wang:
-// Improving Chen & Han's algorithm on the discrete geodesic problem (2009); buckets in place of the heap as in Xu, Wang,
-// Liu, Liu, He: Fast wavefront propagation (2015).
+// Improving Chen & Han's algorithm on the discrete geodesic problem (2009); buckets in place of the heap as in Xu,
+// Wang, Liu, Liu, He: Fast wavefront propagation (2015).
 //
 // What bounds the number of windows
 // - One angle, one split: of the windows that enter a triangle by the same edge and light its opposite corner, only the
@@ -13,8 +13,8 @@
 //   spike without area. Elsewhere each crossing takes some way.
 //
 // Departures: light goes on from a vertex only where a path may turn there, by at least half a turn on either side. All
-// vertices tell their neighbours along the edges, so no distance exceeds that along edges, whatever the triangles. Lines
-// are sources too.
+// vertices tell their neighbours along the edges, so no distance exceeds that along edges, whatever the triangles.
+// Lines are sources too.
 #pragma once
 
 #include "core/growing_list.h"
@@ -35,8 +35,8 @@ public:
 
     // Light that goes out from a vertex in all directions.
     void start_at(uint32_t vertex, uint32_t label);
-    // From `corner`, at a vertex, the way to the source leads in a direction, of length 1, given from the corner's first
-    // edge; or in none, if the vertex lies where the way came from.
+    // From `corner`, at a vertex, the way to the source leads in a direction, of length 1, given from the corner's
+    // first edge; or in none, if the vertex lies where the way came from.
     void reach(Corner corner, double distance, const Vec2& direction, uint32_t label);
     void send(Window window);
     // Some sources are no vertices.
