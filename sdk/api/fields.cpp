@@ -53,7 +53,8 @@ GeodesicRequest read_request(Context& context, const FlgFieldGeodesicDesc& desc,
                             .max_distance = desc.max_distance,
                             .targets = std::move(targets),
                             .labelled = desc.labels != 0,
-                            .perturbation = {desc.perturbation, desc.frequency, desc.seed}};
+                            .perturbation = {desc.perturbation, desc.frequency, desc.seed},
+                            .exact = desc.accuracy == FLG_ACCURACY_EXACT};
     if (desc.curves.id != 0) {
         request.sources.curves = context.surface_curves.get(desc.curves.id, "desc.curves");
         check_same_surface(out, *request.sources.curves, "desc.curves");

@@ -9,6 +9,7 @@
 
 #include "core/failure.h"
 #include "runtime/each.h"
+#include "surfaces/geodesics/exact_sources.h"
 #include "surfaces/geodesics/geodesic_seeds.h"
 #include "surfaces/geodesics/perturbed_blocks.h"
 #include "surfaces/mesh/region_cursor.h"
@@ -29,7 +30,9 @@ bool touches(const Mesh& mesh, uint32_t vertex, const RegionSet& regions) {
     return false;
 }
 
-Task<void> collect_seeds(Pace& pace, const GeodesicRequest& request, GeodesicSeeds& seeds) {
+// Into GeodesicSeeds or ExactSources.
+template <class Seeds>
+Task<void> collect_seeds(Pace& pace, const GeodesicRequest& request, Seeds& seeds) {
     const Mesh& mesh = request.surface->mesh();
     const GeodesicSources& sources = request.sources;
     co_await check_vertices(pace, mesh, sources.vertices, "desc.vertices");
@@ -51,6 +54,15 @@ Task<void> collect_seeds(Pace& pace, const GeodesicRequest& request, GeodesicSee
     if (!sources.edges) co_return;
     co_await each(pace, sources.edges->size(), Cost::hundreds_of_ns,
                   [&](uint32_t i) { seeds.add_edge((*sources.edges)[i], sources.edges_apart ? label + i : label); });
+}
+
+Task<SolveLimits> read_limits(Pace& pace, const GeodesicRequest& request) {
+    co_await check_vertices(pace, request.surface->mesh(), request.targets, "desc.targets");
+    SolveLimits limits{.distance = request.max_distance, .targets = std::pmr::vector<uint32_t>(pace.memory())};
+    limits.targets.reserve(request.targets.size());
+    co_await each(pace, request.targets.size(), Cost::some_ns,
+                  [&](uint32_t i) { limits.targets.push_back(request.targets[i]); });
+    co_return limits;
 }
 
 struct Query {
@@ -113,13 +125,12 @@ Task<void> keep_above_straight_lines(Pace& pace, const Mesh& mesh, const Buffer<
 }
 
 // Of sources that are points alone.
-Task<Buffer<Vec3>> source_places(Pace& pace, const Mesh& mesh, const GeodesicSources& sources,
-                                 const GeodesicSeeds& seeds) {
+Task<Buffer<Vec3>> source_places(Pace& pace, const Mesh& mesh, const GeodesicSources& sources) {
     if (sources.curves || sources.edges || !sources.border_regions.empty()) co_return Buffer<Vec3>();
     const size_t vertices = sources.vertices.size();
     Buffer<Vec3> places(vertices + sources.points.size(), pace.memory());
     co_await each(pace, places.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        places[i] = i < vertices ? mesh.position(sources.vertices[i]) : seeds.place(sources.points[i - vertices]);
+        places[i] = i < vertices ? mesh.position(sources.vertices[i]) : position_of(mesh, sources.points[i - vertices]);
     });
     co_return places;
 }
@@ -128,6 +139,26 @@ Task<void> solve_on_surface(Pace& pace, const Query& query, const GeodesicBlocks
     auto solver = surface.solvers.pool.lend(blocks);
     co_await solve(pace, query, blocks, *solver);
     solver.give_back();
+}
+
+Task<void> solve_exactly(Pace& pace, const GeodesicRequest& request, DistanceField& out) {
+    if (request.perturbation.amount > 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "accuracy is exact, perturbation is %g and must be 0",
+                      double{request.perturbation.amount});
+    }
+    const Mesh& mesh = request.surface->mesh();
+    const SolveLimits limits = co_await read_limits(pace, request);
+    ExactFaces faces(mesh, pace.memory());
+    co_await lay_out_faces(pace, mesh, request.regions, faces);
+    ExactSolver solver(mesh, faces, limits, pace.memory());
+    co_await begin_exact(pace, solver);
+    ExactSources sources(mesh, request.regions, solver);
+    co_await collect_seeds(pace, request, sources);
+    pace.stage("solve");
+    co_await spread_exact(pace, solver);
+    co_await take_exact_field(pace, solver, request.max_distance, request.labelled, out);
+    const Buffer<Vec3> places = co_await source_places(pace, mesh, request.sources);
+    co_await keep_above_straight_lines(pace, mesh, places, request.max_distance, out);
 }
 
 // The vertices of sources and targets outside of the regions: where these are is asked for all the same.
@@ -179,6 +210,10 @@ Task<void> solve_geodesic(Pace& pace, GeodesicRequest request, std::shared_ptr<F
 Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField& out) {
     const Mesh& mesh = request.surface->mesh();
     pace.stage("sources");
+    if (request.exact) {
+        co_await solve_exactly(pace, request, out);
+        co_return;
+    }
     const bool perturbed = request.perturbation.amount > 0;
     std::optional<PerturbedMetric> metric;
     if (perturbed) {
@@ -191,11 +226,7 @@ Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField
     GeodesicSeeds collected(mesh, positions, request.regions, pace.memory(), &blocks.flipped);
     co_await collect_seeds(pace, request, collected);
     const Buffer<Seed> seeds = co_await merge_seeds(pace, collected.found());
-    co_await check_vertices(pace, mesh, request.targets, "desc.targets");
-    SolveLimits limits{.distance = request.max_distance, .targets = std::pmr::vector<uint32_t>(pace.memory())};
-    limits.targets.reserve(request.targets.size());
-    co_await each(pace, request.targets.size(), Cost::some_ns,
-                  [&](uint32_t i) { limits.targets.push_back(request.targets[i]); });
+    const SolveLimits limits = co_await read_limits(pace, request);
 
     pace.stage("solve");
     const Query query{mesh, positions, request.regions, seeds, limits, request.labelled, request.may_be_local, out};
@@ -205,7 +236,7 @@ Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField
         co_return;
     }
     co_await solve_on_surface(pace, query, blocks, *request.surface);
-    const Buffer<Vec3> places = co_await source_places(pace, mesh, request.sources, collected);
+    const Buffer<Vec3> places = co_await source_places(pace, mesh, request.sources);
     co_await keep_above_straight_lines(pace, mesh, places, request.max_distance, out);
 }
 

@@ -35,6 +35,8 @@ struct GeodesicRequest {
     Buffer<uint32_t> targets;
     bool labelled;
     Perturbation perturbation;
+    // By exact_solver.h, unperturbed: some hundred times as long.
+    bool exact = false;
     // Of small regions the field may be local: to their vertices and the ring of triangles around them.
     bool may_be_local = false;
 };

@@ -133,84 +133,129 @@ Task<SurfaceCurves> trace_ridges(Pace& pace, const std::shared_ptr<Surface>& sur
     co_return co_await voronoi_borders(pace, mesh, within, cells, std::cref(apart));
 }
 
+// The points of an open curve are there.
 void add_curve(const SurfaceCurves& from, uint32_t curve, SurfaceCurves& to) {
     to.offsets.push_back(static_cast<uint32_t>(to.points.size()));
     to.closed.push_back(false);
     to.values.push_back(from.values[curve]);
 }
 
-// Of the points of ridges in the triangle of `from`, but for that one itself, the nearest to a place; null if there is
-// no other. The ridges are `first` and those behind it.
-std::optional<SurfacePoint> nearest_on_ridge(const Mesh& mesh, const SurfaceCurves& ridges, uint32_t first,
-                                             const SurfacePoint& from, const Vec3& place) {
-    std::optional<SurfacePoint> nearest;
-    double least = std::numeric_limits<double>::infinity();
-    for (uint32_t i = 2 * first; i < ridges.points.size() && ridges.points[i].triangle == from.triangle; ++i) {
-        const SurfacePoint& point = ridges.points[i];
-        const double square = (position_of(mesh, point) - place).squaredNorm();
-        if (!(square < least) || (point.u == from.u && point.v == from.v)) continue;
-        least = square;
-        nearest = point;
-    }
-    return nearest;
+void add_segment(const SurfaceCurves& from, uint32_t curve, SurfaceCurves& to) {
+    to.points.push_back(from.points[2 * curve]);
+    to.points.push_back(from.points[2 * curve + 1]);
+    add_curve(from, curve, to);
 }
 
-// Of the triangles around a place, the first that a ridge crosses; no_index if there is none.
-uint32_t ridge_triangle_around(const Mesh& mesh, const IndexTable& first_ridge, const SurfacePlace& place) {
-    if (place.on == SurfacePlace::On::triangle) return no_index;
-    const auto crossed = [&](Corner corner) {
-        return corner != no_index && first_ridge.find(triangle_of(corner)) != no_index;
+// Where ridges cross triangles.
+class RidgeMap {
+public:
+    RidgeMap(const Mesh& mesh, const SurfaceCurves& ridges) : mesh_(mesh), ridges_(ridges) {}
+
+    static Task<void> fill(Pace& pace, RidgeMap& map) {
+        const SurfaceCurves& ridges = map.ridges_;
+        co_await IndexTable::reserve(pace, map.first_, ridges.curve_count());
+        co_await each(pace, ridges.curve_count(), Cost::tens_of_ns, [&](uint32_t r) {
+            const uint32_t triangle = ridges.points[2 * r].triangle;
+            if (r == 0 || ridges.points[2 * r - 2].triangle != triangle) map.first_.insert(triangle, r);
+        });
+    }
+
+    struct Found {
+        SurfacePoint point;  // of a ridge
+        double square;       // of how far it is away
     };
-    if (place.on == SurfacePlace::On::edge) {
-        const Corner across = mesh.opposite(place.index);
-        return crossed(place.index) ? triangle_of(place.index) : crossed(across) ? triangle_of(across) : no_index;
+    // Of the points of ridges in a triangle, the nearest to a place; null if no ridge crosses it.
+    std::optional<Found> nearest(uint32_t triangle, const Vec3& to) const {
+        std::optional<Found> nearest;
+        const uint32_t first = first_.find(triangle);
+        if (first == no_index) return nearest;
+        for (uint32_t i = 2 * first; i < ridges_.points.size() && ridges_.points[i].triangle == triangle; ++i) {
+            const double square = (position_of(mesh_, ridges_.points[i]) - to).squaredNorm();
+            if (!nearest || square < nearest->square) nearest = {ridges_.points[i], square};
+        }
+        return nearest;
     }
-    const Corner first = mesh.corner_of_vertex[place.index];
-    Corner corner = first;
-    do {
-        if (crossed(corner)) return triangle_of(corner);
-        corner = mesh.turn(corner);
-    } while (corner != first && corner != no_index);
-    return no_index;
-}
+    // Of those in all triangles around a place.
+    std::optional<Found> nearest_around(const SurfacePlace& place, const Vec3& at) const {
+        std::optional<Found> nearest;
+        const auto look_at = [&](Corner corner) {
+            if (corner == no_index) return;
+            const std::optional<Found> found = this->nearest(triangle_of(corner), at);
+            if (found && (!nearest || found->square < nearest->square)) nearest = found;
+        };
+        if (place.on == SurfacePlace::On::triangle) look_at(3 * place.index);
+        if (place.on == SurfacePlace::On::edge) look_at(place.index), look_at(mesh_.opposite(place.index));
+        if (place.on != SurfacePlace::On::vertex) return nearest;
+        const Corner first = mesh_.corner_of_vertex[place.index];
+        Corner corner = first;
+        do {
+            look_at(corner);
+            corner = mesh_.turn(corner);
+        } while (corner != first && corner != no_index);
+        return nearest;
+    }
 
-// Streams up to the first triangle that a ridge crosses, and there to it; those that end beside one on to it. Then the
-// ridges.
+private:
+    const Mesh& mesh_;
+    const SurfaceCurves& ridges_;
+    IndexTable first_;  // ridge, by triangle
+};
+
+// Streams as they are, up to where they meet a ridge; then the ridges. A stream meets one at a point of it; in the first
+// triangle that it crosses, by going straight to it; or where the stream ends beside it.
+class EndedStreams {
+public:
+    EndedStreams(const Mesh& mesh, const RidgeMap& map, const SurfaceCurves& streams, SurfaceCurves& out)
+        : mesh_(mesh), map_(map), streams_(streams), out_(out) {}
+
+    void add_point(uint32_t i) {
+        const bool is_last = i + 1 == streams_.offsets[stream_ + 1];
+        if (!has_met_) add(streams_.points[i], is_last ? nullptr : &streams_.points[i + 1]);
+        if (!is_last) return;
+        add_curve(streams_, stream_++, out_);
+        has_met_ = false;
+    }
+
+private:
+    void add(const SurfacePoint& point, const SurfacePoint* ahead) {
+        constexpr double on_ridge = 1e-4;  // square of the share of the way to the next point
+        const Vec3 at = position_of(mesh_, point);
+        const bool is_first = out_.points.size() == out_.offsets.back();
+        const Vec3 next = ahead ? position_of(mesh_, *ahead) : at;
+        const SurfacePlace place = place_in(mesh_, point);
+        const auto around = is_first ? std::nullopt : map_.nearest_around(place, at);
+        if (around && (!ahead || around->square <= on_ridge * (next - at).squaredNorm())) return end(place, *around);
+        out_.points.push_back(point);
+        if (!ahead) return;
+        const auto crossed = map_.nearest(point.triangle, next);
+        if (!crossed || (crossed->point.u == point.u && crossed->point.v == point.v)) return;
+        out_.points.push_back(crossed->point);
+        has_met_ = true;
+    }
+    // From a place, seen in the triangle where the ridge is, to it.
+    void end(const SurfacePlace& place, const RidgeMap::Found& found) {
+        has_met_ = true;
+        SurfacePoint point{};
+        find_in(mesh_, place, found.point.triangle, point);
+        out_.points.push_back(point);
+        if (point.u != found.point.u || point.v != found.point.v) out_.points.push_back(found.point);
+    }
+
+    const Mesh& mesh_;
+    const RidgeMap& map_;
+    const SurfaceCurves& streams_;
+    SurfaceCurves& out_;
+    uint32_t stream_ = 0;
+    bool has_met_ = false;
+};
+
 Task<void> end_at_ridges(Pace& pace, const Mesh& mesh, const SurfaceCurves& streams, const SurfaceCurves& ridges,
                          SurfaceCurves& out) {
-    IndexTable first_ridge;  // by triangle
-    co_await IndexTable::reserve(pace, first_ridge, ridges.curve_count());
-    co_await each(pace, ridges.curve_count(), Cost::tens_of_ns, [&](uint32_t r) {
-        const uint32_t triangle = ridges.points[2 * r].triangle;
-        if (r == 0 || ridges.points[2 * r - 2].triangle != triangle) first_ridge.insert(triangle, r);
-    });
-    uint32_t stream = 0;
-    bool is_whole = true;
-    co_await each(pace, streams.points.size(), Cost::tens_of_ns, [&](uint32_t i) {
-        SurfacePoint point = streams.points[i];
-        const bool is_last = i + 1 == streams.offsets[stream + 1];
-        const Vec3 ahead = position_of(mesh, streams.points[is_last ? i : i + 1]);
-        if (is_whole && is_last) {
-            const SurfacePlace place = place_in(mesh, point.triangle, weights_of(point));
-            const uint32_t around = ridge_triangle_around(mesh, first_ridge, place);
-            if (around != no_index) find_in(mesh, place, around, point);
-        }
-        if (is_whole) out.points.push_back(point);
-        const uint32_t ridge = is_whole ? first_ridge.find(point.triangle) : no_index;
-        if (ridge != no_index) {
-            const std::optional<SurfacePoint> end = nearest_on_ridge(mesh, ridges, ridge, point, ahead);
-            if (end) out.points.push_back(*end);
-            is_whole = !end;
-        }
-        if (!is_last) return;
-        add_curve(streams, stream++, out);
-        is_whole = true;
-    });
-    co_await each(pace, ridges.curve_count(), Cost::tens_of_ns, [&](uint32_t r) {
-        out.points.push_back(ridges.points[2 * r]);
-        out.points.push_back(ridges.points[2 * r + 1]);
-        add_curve(ridges, r, out);
-    });
+    RidgeMap map(mesh, ridges);
+    co_await RidgeMap::fill(pace, map);
+    EndedStreams ended(mesh, map, streams, out);
+    co_await each(pace, streams.points.size(), Cost::hundreds_of_ns, [&](uint32_t i) { ended.add_point(i); });
+    co_await each(pace, ridges.curve_count(), Cost::tens_of_ns, [&](uint32_t r) { add_segment(ridges, r, out); });
 }
 
 // ---- Both
@@ -233,11 +278,7 @@ Task<void> trace_from_loops(Pace& pace, const Bed& bed, const RegionSet& within,
     if (!bed.request.b.empty() || !all_whole) co_return;
     const SurfaceCurves found =
         co_await trace_ridges(pace, bed.tangle.surface, within, loops, stretches, bed.request.perturbation());
-    co_await each(pace, found.curve_count(), Cost::tens_of_ns, [&](uint32_t r) {
-        ridges.points.push_back(found.points[2 * r]);
-        ridges.points.push_back(found.points[2 * r + 1]);
-        add_curve(found, r, ridges);
-    });
+    co_await each(pace, found.curve_count(), Cost::tens_of_ns, [&](uint32_t r) { add_segment(found, r, ridges); });
 }
 
 }  // namespace

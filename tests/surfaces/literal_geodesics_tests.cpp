@@ -1,15 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The oracles against closed forms: surfaces that unfold into the plane.
+// Exact distances, those of the oracle and those of the SDK, against closed forms: surfaces that unfold into the plane.
+// And the oracle that is geoTangle's graph.
 #include "reference/literal_geodesics.h"
 
 #include <gtest/gtest.h>
 
-#include "surfaces/test_meshes.h"
+#include "surfaces/exact_distances.h"
 
 namespace flg::test {
 namespace {
 
-using literal::exact_distances;
+struct Method {
+    const char* name;
+    std::vector<double> (*distances)(const Mesh& mesh, uint32_t source);
+};
+
+class ExactDistances : public ::testing::TestWithParam<Method> {
+protected:
+    static std::vector<double> exact_distances(const Mesh& mesh, uint32_t source) {
+        return GetParam().distances(mesh, source);
+    }
+};
+INSTANTIATE_TEST_SUITE_P(By, ExactDistances,
+                         ::testing::Values(Method{"Literal", literal::exact_distances},
+                                           Method{"Windows", window_distances}),
+                         [](const auto& method) { return method.param.name; });
 
 // Positions are rounded to floats: where a form is that of the surface before rounding.
 constexpr double float_rounding = 1e-6;
@@ -49,7 +64,7 @@ uint32_t vertex_at(const Soup& soup, const Vec3& place) {
     return 0;
 }
 
-TEST(ExactDistances, AreStraightInThePlane) {
+TEST_P(ExactDistances, AreStraightInThePlane) {
     const Mesh mesh = make_mesh(plane(20, 0.2));
     for (uint32_t source : {0u, 7u, 220u, 440u}) {
         const std::vector<double> distances = exact_distances(mesh, source);
@@ -60,7 +75,7 @@ TEST(ExactDistances, AreStraightInThePlane) {
     }
 }
 
-TEST(ExactDistances, WindAroundAPrism) {
+TEST_P(ExactDistances, WindAroundAPrism) {
     constexpr uint32_t around = 24, up = 15;
     const Mesh mesh = make_mesh(cylinder(around, up));
     const double side = 2 * std::sin(std::numbers::pi / around);
@@ -74,7 +89,7 @@ TEST(ExactDistances, WindAroundAPrism) {
     }
 }
 
-TEST(ExactDistances, CrossTheEdgesOfACube) {
+TEST_P(ExactDistances, CrossTheEdgesOfACube) {
     Soup cube{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}, {}};
     for (const std::array<uint32_t, 4>& face :
          {std::array<uint32_t, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
@@ -95,7 +110,7 @@ TEST(ExactDistances, CrossTheEdgesOfACube) {
 
 // The plane wraps twice around a regular tetrahedron: half turns about the points of a triangular lattice leave the
 // place on it as it is, so a distance is the least one to an image in the plane.
-TEST(ExactDistances, AreThoseOfTheLatticeOnATetrahedron) {
+TEST_P(ExactDistances, AreThoseOfTheLatticeOnATetrahedron) {
     const Soup coarse = tetrahedron();
     const Soup fine = split(coarse, 8);
     const double side = std::sqrt(8.0);
@@ -133,7 +148,7 @@ TEST(ExactDistances, AreThoseOfTheLatticeOnATetrahedron) {
 }
 
 // `sides` equal triangles about an apex, each flat and split; their rims alternately up and down by `height`.
-void expect_cone(uint32_t sides, double height, bool is_saddle) {
+void expect_cone(const Method& method, uint32_t sides, double height, bool is_saddle) {
     Soup coarse;
     coarse.positions.push_back({0, 0, 0});
     for (uint32_t i = 0; i < sides; ++i) {
@@ -162,7 +177,7 @@ void expect_cone(uint32_t sides, double height, bool is_saddle) {
     };
     const Mesh mesh = make_mesh(fine);
     const uint32_t source = vertex_at(fine, 0.5 * one + 1.0 / 3 * (two - one));
-    const std::vector<double> distances = exact_distances(mesh, source);
+    const std::vector<double> distances = method.distances(mesh, source);
     const double from = angle(mesh.position(source)), r = mesh.position(source).norm();
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         const double s = mesh.position(v).norm();
@@ -174,15 +189,15 @@ void expect_cone(uint32_t sides, double height, bool is_saddle) {
     }
 }
 
-TEST(ExactDistances, PassTheApexOfACone) {
-    expect_cone(6, 1, false);
+TEST_P(ExactDistances, PassTheApexOfACone) {
+    expect_cone(GetParam(), 6, 1, false);
 }
 
-TEST(ExactDistances, BendAtASaddle) {
-    expect_cone(8, 0.5, true);
+TEST_P(ExactDistances, BendAtASaddle) {
+    expect_cone(GetParam(), 8, 0.5, true);
 }
 
-TEST(ExactDistances, BendAtAConcaveBorder) {
+TEST_P(ExactDistances, BendAtAConcaveBorder) {
     // [0, 1]^2 without its upper right quarter.
     Soup soup = plane(10);
     std::erase_if(soup.triangles, [&](const Triple& t) {
@@ -207,7 +222,7 @@ TEST(ExactDistances, BendAtAConcaveBorder) {
     EXPECT_NEAR(distances[vertex_at(bent, {0.5, 0.5, 0})], std::hypot(0.5, 0.2), float_rounding);
 }
 
-TEST(ExactDistances, AreSymmetricAndStopAtOtherComponents) {
+TEST_P(ExactDistances, AreSymmetricAndStopAtOtherComponents) {
     Soup soup = sphere(2);
     const uint32_t first = static_cast<uint32_t>(soup.positions.size());
     for (const Position& p : tetrahedron().positions) soup.positions.push_back(p);
@@ -241,7 +256,7 @@ TEST(LiteralGraph, DistancesAreNeverBelowTheExactOnesAndSymmetric) {
         const literal::GeodesicGraph graph = literal::geodesic_graph(mesh);
         const std::vector<float> from = literal::GraphField(graph, {{11, 0, 0}}).distances;
         EXPECT_EQ(literal::visit_graph(graph, 11), from);
-        const std::vector<double> exact = exact_distances(mesh, 11);
+        const std::vector<double> exact = literal::exact_distances(mesh, 11);
         for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
             EXPECT_GE(from[v], exact[v] * (1 - 1e-6));
             // A step of the graph leaves out at most half the angle between two of its arcs: 45 degrees in worst

@@ -142,6 +142,7 @@ TEST(TangleOperators, StreamsOfASquareEndAtItsDiagonals) {
     expect_valid(host, surface, tangle, 1);
     const FlgSurfaceView view = host.view(surface);
     const std::map<uint32_t, double> strips = areas(view);
+    for (const auto& [label, area] : strips) printf("%u %f\n", label, area);
     ASSERT_EQ(strips.size(), 40u);
     // Of a side the strip from k to k + 1 tenths is a trapezium under the diagonals.
     std::vector<double> sorted, expected;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <bit>
+#include <deque>
 #include <vector>
 
 #include "core/memory.h"
@@ -34,6 +35,15 @@ public:
     }
     uint32_t span() const { return static_cast<uint32_t>(buckets_.size()); }
     size_t size() const { return size_; }
+    size_t bytes() const { return slabs_.size() * slab_size * sizeof(Chunk); }
+    // Gives a part of an empty queue's memory back; false if there is none.
+    bool give_back() {
+        unused_ = nullptr;
+        fresh_ = 0;
+        if (slabs_.empty()) return false;
+        slabs_.pop_back();
+        return !slabs_.empty();
+    }
 
     void push(uint32_t bucket, const Entry& entry) {
         Bucket& to = buckets_[bucket & mask_];
@@ -92,7 +102,7 @@ private:
 
     Memory* memory_;
     std::pmr::vector<Bucket> buckets_;
-    std::pmr::vector<Buffer<Chunk>> slabs_;
+    std::pmr::deque<Buffer<Chunk>> slabs_;  // grows without moving
     Chunk* unused_ = nullptr;
     uint32_t fresh_ = 0;  // chunks of the last slab that have not been used
     uint32_t mask_ = 0;
