@@ -12,6 +12,8 @@ namespace {
 
 constexpr double at_an_end = 1e-9;  // of a bone's length
 constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
+constexpr double one_plane = 0.02;  // of the radius: how far apart two mirror planes are that are one, and of an angle
+constexpr double on_plane = 1e-6;   // of the radius
 constexpr double thicker = 1.25;    // an arm that lies over the chest hangs by its shoulder: the end that is so thick
 
 // Where a joint could be connected.
@@ -241,6 +243,60 @@ Task<Place> towards_trunk(Pace& pace, const BoneGraph& graph, Place place, const
     co_return place;
 }
 
+bool are_one(const MirrorPlane& a, const MirrorPlane& b, double radius) {
+    return std::abs(a.normal.dot(b.normal)) >= 1 - one_plane && std::abs(b.side(a.at)) <= one_plane * radius;
+}
+
+// Where a part has its middle: a joint, or a new one on a bone.
+uint32_t joint_on_plane(BoneGraph& graph, const NewPart& part, const MirrorPlane& plane, const Vec3& near) {
+    uint32_t nearest = no_number, crossing = no_number;
+    double least = std::numeric_limits<double>::infinity();
+    for (uint32_t j = part.first_joint; j < part.end_joint; ++j) {
+        const BoneGraph::Joint& joint = graph.joints()[j];
+        const double distance = (joint.at - near).norm();
+        if (!graph.is_there(j) || std::abs(plane.side(joint.at)) > on_plane * joint.radius || distance >= least) continue;
+        nearest = j;
+        least = distance;
+    }
+    if (nearest != no_number) return nearest;
+    const auto share_of = [&](uint32_t bone) {
+        const auto& ends = graph.bones()[bone].joints;
+        const double a = plane.side(graph.joints()[ends[0]].at), b = plane.side(graph.joints()[ends[1]].at);
+        return a * b < 0 ? a / (a - b) : -1;
+    };
+    const auto middle_of = [&](uint32_t bone) -> Vec3 {
+        const auto& ends = graph.bones()[bone].joints;
+        const Vec3 &a = graph.joints()[ends[0]].at, &b = graph.joints()[ends[1]].at;
+        return a + share_of(bone) * (b - a);
+    };
+    for (uint32_t b = 0; b < graph.bones().size(); ++b) {
+        if (graph.bones()[b].gone || graph.bones()[b].part != part.number || share_of(b) < 0) continue;
+        const double distance = (middle_of(b) - near).norm();
+        if (distance >= least) continue;
+        crossing = b;
+        least = distance;
+    }
+    if (crossing == no_number) return no_number;
+    const auto& ends = graph.bones()[crossing].joints;
+    return graph.split(
+        crossing, middle_of(crossing),
+        std::lerp(graph.joints()[ends[0]].radius, graph.joints()[ends[1]].radius, share_of(crossing)));
+}
+
+// Of a part that is its own mirror image about the same plane as what it hangs on: by its middle.
+Task<Place> by_middle(Pace& pace, BoneGraph& graph, Place place, const NewPart& part, const OtherParts& others) {
+    if (others.mirrors.empty()) co_return place;
+    const uint32_t on = part_at(graph, place);
+    const MirrorPlane& plane = others.mirrors[part.number];
+    const BoneGraph::Joint& child = graph.joints()[place.child];
+    if (!are_one(plane, others.mirrors[on], child.radius)) co_return place;
+    if (std::abs(plane.side(child.at)) <= on_plane * child.radius) co_return place;
+    const uint32_t middle = joint_on_plane(graph, part, plane, point_at(graph, place));
+    if (middle == no_number) co_return place;
+    const Place at_middle = co_await nearest_of_part(pace, graph, middle, on);
+    co_return at_middle;
+}
+
 PartLink connect(BoneGraph& graph, const Place& place) {
     PartLink link;
     if (place.child == no_number) return link;
@@ -295,6 +351,7 @@ Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherPar
         const size_t parts = std::max<size_t>(others.may_meet.size(), part.number);
         place = co_await nearest_by_outline(pace, graph, ends, part, candidates, parts);
     }
+    if (place.child != no_number) place = co_await by_middle(pace, graph, place, part, others);
     if (place.child != no_number) place = co_await towards_trunk(pace, graph, place, others);
     co_return connect(graph, place);
 }
