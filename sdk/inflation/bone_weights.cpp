@@ -407,13 +407,16 @@ void mix_weights(VertexJoints& joints_a, VertexWeights& a, const VertexJoints& j
     const auto before = [](const Bound& x, const Bound& y) {
         return x.weight > y.weight || (x.weight == y.weight && x.joint < y.joint);
     };
-    for (uint32_t k = 0; k < std::min(count, 4u); ++k)
+    for (uint32_t k = 0; k < std::min(count, 5u); ++k)
         std::swap(bound[k], *std::min_element(bound.begin() + k, bound.begin() + count, before));
+    // Those above the fifth stay, by what they are above it: else a weight would jump where it is another's turn.
+    const double least = count > 4 && bound[4].weight < bound[0].weight ? bound[4].weight : 0;
+    for (uint32_t k = 0; k < std::min(count, 4u); ++k) bound[k].weight -= least;
     double sum = 0;
     for (uint32_t k = 0; k < std::min(count, 4u); ++k) sum += bound[k].weight;
     for (uint32_t k = 0; k < 4; ++k) {
-        joints_a[k] = k < count ? bound[k].joint : uint16_t{0};
         a[k] = k < count ? static_cast<float>(bound[k].weight / sum) : 0;
+        joints_a[k] = a[k] > 0 ? bound[k].joint : uint16_t{0};
     }
 }
 

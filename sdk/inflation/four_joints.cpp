@@ -127,7 +127,8 @@ public:
         for (uint32_t sweep = 0; sweep < sweeps; ++sweep)
             co_await each(pace_, count, Cost::hundreds_of_ns,
                           [&](uint32_t i) { smooth(sweep % 2 == 0 ? i : count - 1 - i); });
-        BoneWeights out{Buffer<VertexJoints>(vertices, pace_.memory()), Buffer<VertexWeights>(vertices, pace_.memory())};
+        BoneWeights out{Buffer<VertexJoints>(vertices, pace_.memory()),
+                        Buffer<VertexWeights>(vertices, pace_.memory())};
         co_await each(pace_, vertices, Cost::tens_of_ns, [&](uint32_t v) { finish(v, out); });
         spreads_ = {};
         co_await pace_;
@@ -259,8 +260,9 @@ private:
         const Four& weights = weights_[v];
         const float sum = weights[0] + weights[1] + weights[2] + weights[3];
         std::array<uint32_t, 4> order = {0, 1, 2, 3};
-        std::sort(order.begin(), order.end(),
-                  [&](uint32_t a, uint32_t b) { return weights[a] > weights[b] || (weights[a] == weights[b] && a < b); });
+        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+            return weights[a] > weights[b] || (weights[a] == weights[b] && a < b);
+        });
         for (uint32_t k = 0; k < 4; ++k) {
             const float weight = weights[order[k]] / sum;
             out.weights[v][k] = weight;
