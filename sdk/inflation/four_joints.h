@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Smooth weights of many joints become those of four a vertex, and stay as smooth as four can be.
 //
-// Each vertex chooses its four by itself: the joint whose motion others make up for best gives its weight to them, until
-// four are left. Choices end at lines on the surface. There, weights would jump, or fall steeply where five are about
-// alike. So they are spread again, near such lines: each joint only among the vertices that chose it, where the others'
-// weights of it go to what moves with it, and drawn back to what it was the more, the less a vertex lost.
+// Each vertex chooses its four by itself: the joint whose motion others make up for best gives its weight to these,
+// until four are left. Choices end at lines on the surface. There, weights would jump, or fall steeply where five are
+// about alike. So near such lines they are spread again, each joint only among the vertices that chose it: what
+// neighbours have of others goes to those that move alike. The less a vertex lost, the more it keeps what it had.
 #pragma once
 
 #include <array>
