@@ -12,6 +12,7 @@ namespace {
 
 constexpr double at_an_end = 1e-9;  // of a bone's length
 constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
+constexpr double alike = 0.1;       // of the radius: how far from each other's mirror images joints may be
 constexpr double thicker = 1.25;    // an arm that lies over the chest hangs by its shoulder: the end that is so thick
 
 // Where a joint could be connected.
@@ -115,6 +116,15 @@ bool is_thick_end(const BoneGraph& graph, Ends ends, uint32_t end) {
     if (ends.size() != 2) return false;
     const uint32_t other = ends[0] == end ? ends[1] : ends[0];
     return graph.joints()[end].radius > thicker * graph.joints()[other].radius;
+}
+
+// Of a limb's two ends the upper one, where neither is much thicker.
+uint32_t upper_end(const BoneGraph& graph, Ends ends) {
+    if (ends.size() != 2 || is_thick_end(graph, ends, ends[0]) || is_thick_end(graph, ends, ends[1])) return no_number;
+    const BoneGraph::Joint &a = graph.joints()[ends[0]], &b = graph.joints()[ends[1]];
+    const double rise = a.at.y() - b.at.y();
+    if (std::abs(rise) <= a.radius + b.radius) return no_number;
+    return ends[rise > 0 ? 0 : 1];
 }
 
 // From ends and junctions to what counts.
@@ -241,6 +251,55 @@ Task<Place> towards_trunk(Pace& pace, const BoneGraph& graph, Place place, const
     co_return place;
 }
 
+// Whether a part has another end where a plane reflects one.
+bool has_mirror_image(const BoneGraph& graph, Ends ends, uint32_t end, const MirrorPlane& plane) {
+    const BoneGraph::Joint& joint = graph.joints()[end];
+    const double near = alike * joint.radius, side = plane.side(joint.at);
+    if (std::abs(side) <= near) return false;
+    const Vec3 image = joint.at - 2 * side * plane.normal;
+    return std::any_of(ends.begin(), ends.end(), [&](uint32_t other) {
+        const BoneGraph::Joint& there = graph.joints()[other];
+        return (there.at - image).norm() <= near && std::abs(there.radius - joint.radius) <= near;
+    });
+}
+
+// The joint of a part that is nearest to a place of those on a plane, or a new one where a bone crosses it.
+uint32_t joint_on_plane(BoneGraph& graph, const NewPart& part, const MirrorPlane& plane, const Vec3& place) {
+    uint32_t joint = no_number, bone = no_number;
+    double least = std::numeric_limits<double>::infinity(), share = 0;
+    const auto side_of = [&](uint32_t j) { return plane.side(graph.joints()[j].at); };
+    for (uint32_t j = part.first_joint; j < part.end_joint; ++j) {
+        if (!graph.is_there(j) || std::abs(side_of(j)) > alike * graph.joints()[j].radius) continue;
+        const double distance = (graph.joints()[j].at - place).norm();
+        if (distance < least) joint = j, least = distance;
+    }
+    if (joint != no_number) return joint;
+    const auto point_on = [&](uint32_t b, double along) { return point_at(graph, Place{.bone = b, .share = along}); };
+    for (uint32_t b = 0; b < graph.bones().size(); ++b) {
+        const auto& ends = graph.bones()[b].joints;
+        if (graph.bones()[b].gone || graph.bones()[b].part != part.number) continue;
+        const double from = side_of(ends[0]), to = side_of(ends[1]);
+        if (from * to >= 0) continue;
+        const double distance = (point_on(b, from / (from - to)) - place).norm();
+        if (distance < least) bone = b, least = distance, share = from / (from - to);
+    }
+    if (bone == no_number) return no_number;
+    const auto& ends = graph.bones()[bone].joints;
+    return graph.split(bone, point_on(bone, share),
+                       std::lerp(graph.joints()[ends[0]].radius, graph.joints()[ends[1]].radius, share));
+}
+
+// Of a part that lies across the mirror plane of what it hangs on, alike to both sides: by its middle.
+Task<Place> by_middle(Pace& pace, BoneGraph& graph, Place place, Ends ends, NewPart part, OtherParts others) {
+    if (others.mirrors.empty()) co_return place;
+    const uint32_t on = part_at(graph, place);
+    const MirrorPlane& plane = others.mirrors[on];
+    if (!has_mirror_image(graph, ends, place.child, plane)) co_return place;
+    const uint32_t middle = joint_on_plane(graph, part, plane, point_at(graph, place));
+    if (middle == no_number) co_return place;
+    co_return co_await nearest_of_part(pace, graph, middle, on);
+}
+
 PartLink connect(BoneGraph& graph, const Place& place) {
     PartLink link;
     if (place.child == no_number) return link;
@@ -290,11 +349,20 @@ Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherPar
     const Nearest nearest = co_await nearest_of(pace, graph, ends, candidates);
     Place place = nearest.inside;
     if (place.child == no_number) place = co_await nearest_in_wide(pace, graph, ends, others);
+    const uint32_t upper = upper_end(graph, ends);
+    if (place.child != no_number && upper != no_number && place.child != upper) {
+        const uint32_t only[] = {upper};
+        const Nearest above = co_await nearest_of(pace, graph, only, candidates);
+        Place higher = above.inside;
+        if (higher.child == no_number) higher = co_await nearest_in_wide(pace, graph, only, others);
+        if (higher.child != no_number) place = higher;
+    }
     if (place.child == no_number) place = nearest.touching;
     if (place.child == no_number && candidates.count() > 0) {
         const size_t parts = std::max<size_t>(others.may_meet.size(), part.number);
         place = co_await nearest_by_outline(pace, graph, ends, part, candidates, parts);
     }
+    if (place.child != no_number) place = co_await by_middle(pace, graph, place, ends, part, others);
     if (place.child != no_number) place = co_await towards_trunk(pace, graph, place, others);
     co_return connect(graph, place);
 }

@@ -8,11 +8,13 @@
 // Departures. Joints are inside of their parts, and balls do not fill them; so parts that meet only at their ends would
 // be left apart. If no joint of the new part is inside of an earlier one, joints count that are in a wide part's shape,
 // corners and all (wide_part.h); then joints whose balls come near one; then parts that a point of the new one's
-// outline is inside of. Where both ends of a limb are inside, or touch, the one that is thicker by a quarter counts: an
-// arm over the chest hangs by its shoulder. Limbs hang on the trunk, not on each other: where the joint is inside of
-// the root end of a part and of the one that this hangs on, it is connected with the latter. Bones from part to part
-// are no part's, and nothing is connected to them. A joint so near to a bone's end that the split would make a bone of
-// no length is connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
+// outline is inside of. Where both ends of a limb are inside, or touch, the one that is thicker by a quarter counts, or
+// else, of two inside, the upper one: an arm over the chest or beside it hangs by its shoulder. A part that lies across
+// the mirror plane of what it hangs on, alike to both sides, hangs by its middle. Limbs hang on the trunk, not on each
+// other: where the joint is inside of the root end of a part and of the one that this hangs on, it is connected with
+// the latter. Bones from part to part are no part's, and nothing is connected to them. A joint so near to a bone's end
+// that the split would make a bone of no length is connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has
+// v_i v_j).
 #pragma once
 
 #include <span>
@@ -40,11 +42,19 @@ struct NewPart {
     std::span<const Vec3> outline;  // points around it
 };
 
+// Of a part that is its own mirror image.
+struct MirrorPlane {
+    Vec3 at = Vec3::Zero(), normal = Vec3::Zero();  // 0: there is none
+
+    double side(const Vec3& point) const { return normal.dot(point - at); }
+};
+
 // What it may be connected with. By part; all outlive the task.
 struct OtherParts {
-    std::span<const uint8_t> may_meet;      // 1: yes; none: all but itself
-    std::span<const PartLink> links = {};   // of those before; none: not known
-    std::span<const WidePart> shapes = {};  // none: not known
+    std::span<const uint8_t> may_meet;          // 1: yes; none: all but itself
+    std::span<const PartLink> links = {};       // of those before; none: not known
+    std::span<const WidePart> shapes = {};      // none: not known
+    std::span<const MirrorPlane> mirrors = {};  // none: not known
 };
 
 // Connects a part with the nearest of the others that it meets.

@@ -20,6 +20,13 @@ double area_of(const ModelPart& part) {
     return part.part->area * part.scale * part.scale;
 }
 
+MirrorPlane mirror_of(const ModelPart& part) {
+    if (!part.part->mirror) return {};
+    const MirrorAxis& axis = *part.part->mirror;
+    return {part.place(axis.at),
+            (part.placement.col(1) * axis.along.x - part.placement.col(0) * axis.along.y).normalized()};
+}
+
 // What may be a root: best a part that the host made one, then one that is not there twice, then the largest.
 bool is_better_root(const HeldModel& model, uint32_t a, uint32_t b) {
     const ModelPart &x = model.parts[a], &y = model.parts[b];
@@ -41,6 +48,7 @@ public:
           edges_(pace.memory()),
           own_bones_(pace.memory()),
           shapes_(pace.memory()),
+          mirrors_(pace.memory()),
           outline_(pace.memory()),
           groups_(model.parts.size(), pace.memory()),
           is_placed_(model.parts.size(), pace.memory()),
@@ -63,6 +71,7 @@ private:
 
     Task<void> look_at_parts() {
         shapes_.reserve(part_count());
+        mirrors_.reserve(part_count());
         co_await each(pace_, part_count(), Cost::tens_of_ns, [&](uint32_t p) {
             const ModelPart& part = model_.parts[p];
             const HeldPart& drawn = *part.part;
@@ -73,6 +82,7 @@ private:
             shape.placement = part.placement, shape.scale = part.scale, shape.thickness = part.thickness;
             shape.widest = drawn.widest;
             shapes_.push_back(shape);
+            mirrors_.push_back(mirror_of(part));
         });
         hung_.resize(part_count());
         out_.links.resize(part_count());
@@ -135,7 +145,7 @@ private:
     }
 
     NewPart new_part(uint32_t p) const { return {p, first_[p], first_[p + 1], outline_}; }
-    OtherParts others() const { return {may_meet_, hung_, shapes_}; }
+    OtherParts others() const { return {may_meet_, hung_, shapes_, mirrors_}; }
 
     bool add(const PartLink& link) {
         if (link.event == PartLink::Event::root) return false;
@@ -491,6 +501,7 @@ private:
     std::pmr::vector<std::array<uint32_t, 2>> own_bones_;
     Groups own_ends_;
     std::pmr::vector<WidePart> shapes_;
+    std::pmr::vector<MirrorPlane> mirrors_;
     std::pmr::vector<Vec3> outline_;
     NodeClusters groups_;        // parts that hang together
     Buffer<uint8_t> is_placed_;  // by part: it has come

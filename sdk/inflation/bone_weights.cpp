@@ -9,6 +9,8 @@
 
 #include "core/failure.h"
 #include "inflation/bone_regions.h"
+#include "inflation/four_joints.h"
+#include "inflation/pivots.h"
 #include "runtime/each.h"
 
 namespace flg {
@@ -24,10 +26,7 @@ constexpr double min_spread = 1;     // by the lattice's spacing: over some edge
 constexpr double edge_share = 0.75;  // of the longest edge at a vertex: weights change by about a third along it
 constexpr double pivot_share = 0.6;  // of the distance to a joint, by the reach
 constexpr double fading = 0.7;       // of that distance, by the way from where regions meet
-constexpr double cut_off = 0.005;    // weights below it become 0, others are less by it
-constexpr double near_share = 0.25;  // of how far weights are spread: joints that are so near are alike
 constexpr uint32_t bones_a_step = 256;
-constexpr uint32_t kept = 12;  // the largest weights of each vertex, of which four stay
 
 void check(const BoneSegment& bone, uint32_t number) {
     if (bone.joint >= joint_limit)
@@ -118,44 +117,6 @@ private:
     uint32_t count_ = 0;
 };
 
-// Where joints are, and which of them move one bone and not another.
-class Pivots {
-public:
-    static Task<Pivots> make(Pace& pace, const BoneRig& rig) {
-        auto count = static_cast<uint32_t>(rig.joint_parents.size());
-        co_await each(pace, rig.bones.size(), Cost::some_ns,
-                      [&](uint32_t bone) { count = std::max(count, rig.bones[bone].joint + 1); });
-        Pivots pivots(rig.joint_parents, count, pace.memory());
-        co_await each(pace, count, Cost::some_ns,
-                      [&](uint32_t joint) { std::construct_at(&pivots.at_[joint], Vec3::Zero()); });
-        co_await each(pace, rig.bones.size(), Cost::some_ns,
-                      [&](uint32_t bone) { pivots.at_[rig.bones[bone].joint] = rig.bones[bone].from; });
-        co_return pivots;
-    }
-
-    struct Between {
-        double farthest = 0;  // from a point
-        uint32_t count = 0;
-    };
-    // Of the bones that turn with two joints.
-    Between between(uint32_t a, uint32_t b, const Vec3& from) const {
-        double squared = 0;
-        uint32_t count = 0;
-        for (; a != b; ++count) {
-            uint32_t& lower = a == no_joint || (b != no_joint && b > a) ? b : a;
-            squared = std::max(squared, (from - at_[lower]).squaredNorm());
-            lower = lower < parents_.size() ? parents_[lower] : no_joint;
-        }
-        return {std::sqrt(squared), count};
-    }
-
-private:
-    Pivots(std::span<const uint32_t> parents, uint32_t count, Memory* memory) : parents_(parents), at_(count, memory) {}
-
-    std::span<const uint32_t> parents_;
-    Buffer<Vec3> at_;
-};
-
 struct Spreading {
     Spreading(size_t vertices, Memory* memory)
         : area(vertices, memory),
@@ -164,13 +125,11 @@ struct Spreading {
           spread(vertices, memory),
           first_columns(vertices, memory),
           first_weights(vertices, memory),
-          largest(vertices, memory),
-          largest_joints(vertices, memory) {}
+          largest(vertices, memory) {}
 
     void clear(uint32_t vertex) {
         area[vertex] = 0;
-        largest[vertex].fill(0);
-        largest_joints[vertex].fill(0);
+        largest[vertex] = {};
     }
 
     // Half cotangents of a triangle.
@@ -214,12 +173,11 @@ struct Spreading {
     }
 
     void collect(uint32_t vertex, const double* row, std::span<const uint16_t> joints) {
-        auto& weights = largest[vertex];
-        auto& weighed = largest_joints[vertex];
+        auto& [weights, weighed] = largest[vertex];
         for (uint32_t k = 0; k < joints.size(); ++k) {
             const auto weight = static_cast<float>(row[k]);
-            if (weight <= weights[kept - 1]) continue;
-            uint32_t place = kept - 1;
+            if (weight <= weights[ManyJoints::limit - 1]) continue;
+            uint32_t place = ManyJoints::limit - 1;
             for (; place > 0 && weights[place - 1] < weight; --place) {
                 weights[place] = weights[place - 1];
                 weighed[place] = weighed[place - 1];
@@ -229,50 +187,13 @@ struct Spreading {
         }
     }
 
-    // Four joints at most, and continuously: those above the fifth stay, and take what is not above it of all, the
-    // more of it the nearer the joints are that make them differ.
-    void finish(uint32_t vertex, const Vec3& position, const Pivots& pivots, BoneWeights& out) const {
-        const auto& weighed = largest_joints[vertex];
-        double weights[kept];
-        for (uint32_t k = 0; k < kept; ++k)
-            weights[k] = std::max(0.0, static_cast<double>(largest[vertex][k]) - cut_off);
-        const double least = weights[4];
-        const double near = near_share * std::sqrt(spread[vertex]);
-        double above[4], left[4], sum = 0;
-        for (uint32_t m = 0; m < 4; ++m) left[m] = above[m] = weights[m] - least;
-        for (uint32_t k = 0; k < kept && weights[k] > 0; ++k) {
-            double takes[4], all = 0;
-            for (uint32_t m = 0; m < 4; ++m) {
-                const double apart =
-                    above[m] > 0 ? near + pivots.between(weighed[k], weighed[m], position).farthest : 1;
-                all += takes[m] = above[m] / (apart * apart);
-            }
-            for (uint32_t m = 0; m < 4 && all > 0; ++m) left[m] += std::min(least, weights[k]) * takes[m] / all;
-        }
-        for (const double weight : left) sum += weight;
-        if (!(sum > 1e-6)) {
-            // Five or more joints move it alike.
-            sum = 4;
-            std::fill_n(left, 4, 1.0);
-        }
-        std::array<uint32_t, 4> order = {0, 1, 2, 3};
-        std::sort(order.begin(), order.end(),
-                  [&](uint32_t a, uint32_t b) { return left[a] > left[b] || (left[a] == left[b] && a < b); });
-        for (uint32_t k = 0; k < 4; ++k) {
-            const auto weight = static_cast<float>(left[order[k]] / sum);
-            out.weights[vertex][k] = weight;
-            out.joints[vertex][k] = weight > 0 ? weighed[order[k]] : uint16_t{0};
-        }
-    }
-
     Buffer<double> area;
     Buffer<uint32_t> bone;                          // that most of a vertex begins with
     Buffer<double> radius;                          // of the shape
     Buffer<double> spread;                          // T
     Buffer<std::array<uint32_t, 4>> first_columns;  // of a vertex, with the weights it begins with
     Buffer<std::array<float, 4>> first_weights;
-    Buffer<std::array<float, kept>> largest;
-    Buffer<std::array<uint16_t, kept>> largest_joints;
+    Buffer<ManyJoints> largest;
 };
 
 // Each vertex begins with the bones of its part; with the nearest of all in space where that has none.
@@ -345,11 +266,9 @@ Task<void> begin_at_bones(Pace& pace, const MergedMesh& mesh, NearestBones known
 }
 
 // T of each vertex.
-Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const BoneRig& rig, const Pivots& pivots, double reach,
-                         Spreading& all) {
+Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const Groups& corners, const BoneRig& rig,
+                         const Pivots& pivots, double reach, Spreading& all) {
     const size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
-    const Groups corners =
-        co_await group_by(pace, 3 * triangles, vertices, [&](uint32_t i) { return mesh.triangles[i / 3][i % 3]; });
     Buffer<double> longest(vertices, pace.memory());
     co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) { all.spread[v] = longest[v] = 0; });
     struct Entry {
@@ -410,7 +329,9 @@ Task<BoneWeights> weigh(Pace& pace, const MergedMesh& mesh, BoneRig rig, BoneWei
     co_await each(pace, triangles, Cost::tens_of_ns, [&](uint32_t t) { cotangents[t] = all.measure(mesh, t); });
     co_await begin(joints, all);
     const Pivots pivots = co_await Pivots::make(pace, rig);
-    co_await choose_spread(pace, mesh, rig, pivots, options.reach, all);
+    const Groups corners =
+        co_await group_by(pace, 3 * triangles, vertices, [&](uint32_t i) { return mesh.triangles[i / 3][i % 3]; });
+    co_await choose_spread(pace, mesh, corners, rig, pivots, options.reach, all);
 
     const LaplacianInput input{.triangles = {mesh.triangles.data(), triangles},
                                .cotangents = {cotangents.data(), triangles},
@@ -437,10 +358,6 @@ Task<BoneWeights> weigh(Pace& pace, const MergedMesh& mesh, BoneRig rig, BoneWei
         co_await each(pace, vertices, Cost::tens_of_ns,
                       [&](uint32_t v) { all.collect(v, &values[size_t{solve_width} * v], some); });
     }
-    BoneWeights weights{Buffer<std::array<uint16_t, 4>>(vertices, memory),
-                        Buffer<std::array<float, 4>>(vertices, memory)};
-    co_await each(pace, vertices, Cost::microseconds,
-                  [&](uint32_t v) { all.finish(v, mesh.positions[v], pivots, weights); });
     // Large arrays are given back one by one: all at once that can take longer than a slice may.
     factor.values = {};
     co_await pace;
@@ -448,7 +365,8 @@ Task<BoneWeights> weigh(Pace& pace, const MergedMesh& mesh, BoneRig rig, BoneWei
     co_await pace;
     values = {};
     co_await pace;
-    co_return weights;
+    const ManyWeights many{{all.largest.data(), vertices}, {all.spread.data(), vertices}};
+    co_return co_await keep_four_joints(pace, mesh, corners, many, pivots);
 }
 
 }  // namespace
@@ -489,13 +407,16 @@ void mix_weights(VertexJoints& joints_a, VertexWeights& a, const VertexJoints& j
     const auto before = [](const Bound& x, const Bound& y) {
         return x.weight > y.weight || (x.weight == y.weight && x.joint < y.joint);
     };
-    for (uint32_t k = 0; k < std::min(count, 4u); ++k)
+    for (uint32_t k = 0; k < std::min(count, 5u); ++k)
         std::swap(bound[k], *std::min_element(bound.begin() + k, bound.begin() + count, before));
+    // Those above the fifth stay, by what they are above it: else a weight would jump where it is another's turn.
+    const double least = count > 4 && bound[4].weight < bound[0].weight ? bound[4].weight : 0;
+    for (uint32_t k = 0; k < std::min(count, 4u); ++k) bound[k].weight -= least;
     double sum = 0;
     for (uint32_t k = 0; k < std::min(count, 4u); ++k) sum += bound[k].weight;
     for (uint32_t k = 0; k < 4; ++k) {
-        joints_a[k] = k < count ? bound[k].joint : uint16_t{0};
         a[k] = k < count ? static_cast<float>(bound[k].weight / sum) : 0;
+        joints_a[k] = a[k] > 0 ? bound[k].joint : uint16_t{0};
     }
 }
 

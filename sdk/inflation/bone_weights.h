@@ -42,7 +42,7 @@ struct BoneWeights {
     Buffer<VertexWeights> weights;
 };
 
-// Makes the first's weights (1 - share) of them and `share` of the second's, in the four largest.
+// Makes the first's weights (1 - share) of them and `share` of the second's, in the four largest, continuously.
 void mix_weights(VertexJoints& joints_a, VertexWeights& a, const VertexJoints& joints_b, const VertexWeights& b,
                  double share);
 

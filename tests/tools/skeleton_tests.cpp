@@ -185,6 +185,95 @@ TEST_F(SkeletonCommand, NamesLastWhenALimbMoves) {
     expect_refused({"skeleton", "person.json", "--bones", "b.json", "--previous", "none.json"}, 1, {"none.json"});
 }
 
+Line block(double x, double y, double width, double height) {
+    const double w = width / 2, h = height / 2;
+    return {{x - w, y - h}, {x + w, y - h}, {x + w, y + h}, {x - w, y + h}};
+}
+
+// A person of blocks whose arms hang beside the torso and reach into it all along: by the shoulders, not by the hands.
+TEST_F(SkeletonCommand, ArmsOfBlocksHangByTheirShouldersAndBend) {
+    const auto drawn = [&](const Line& left, const Line& right) {
+        Json parts = Json::array();
+        const auto add = [&](const char* name, const Line& line) {
+            parts.push_back({{"name", name}, {"contour", line}, {"thickness", 0.8}});
+        };
+        add("torso", block(0, 0, 2, 3));
+        add("head", block(0, 2.1, 1.2, 1.4));
+        add("left_arm", left);
+        add("right_arm", right);
+        add("left_leg", block(0.55, -2.6, 0.8, 2.6));
+        add("right_leg", block(-0.55, -2.6, 0.8, 2.6));
+        folder.write("blocks.json", Json{{"parts", parts}}.dump());
+        return bones({"blocks.json"});
+    };
+    for (const bool hangs : {true, false}) {
+        const Json made = hangs ? drawn(block(1.2, 0.1, 0.7, 2.8), block(-1.2, 0.1, 0.7, 2.8))
+                                : drawn(block(2, 1.1, 2.4, 0.7), block(-2, 1.1, 2.4, 0.7));
+        for (const size_t part : {2, 3, 4, 5}) {
+            std::vector<std::array<double, 3>> limb;
+            for (const Json& joint : made["joints"])
+                if (joint["part"] == part) limb.push_back(joint["position"]);
+            ASSERT_EQ(limb.size(), 3u) << hangs << part;
+            // From the shoulder or hip on, with the elbow or knee about half way.
+            const auto from = limb[0], to = limb[2];
+            const bool is_level = part < 4 && !hangs;
+            EXPECT_GT(is_level ? std::abs(to[0]) : from[1], is_level ? std::abs(from[0]) : to[1]) << hangs << part;
+            EXPECT_NEAR(std::hypot(limb[1][0] - from[0], limb[1][1] - from[1]),
+                        std::hypot(to[0] - limb[1][0], to[1] - limb[1][1]), 0.3);
+        }
+    }
+    done({"skeleton", "blocks.json", "-o", "blocks.vrm.glb", "--rig", "vrm", "--quiet"});
+}
+
+// One outline of blocks, arms down: the elbow is in the straight of the arm, not where the arm leaves the chest.
+TEST_F(SkeletonCommand, AnArmThatHangsFromAShoulderBends) {
+    const Line right = {{0.1, -1.5}, {0.1, -4}, {0.9, -4},   {0.9, -1.4}, {1, -1.4},  {1, 0.75}, {1.1, 0.75},
+                        {1.1, -1},   {1.8, -1}, {1.8, 1.45}, {1, 1.5},    {0.6, 1.5}, {0.6, 2.9}};
+    Line whole = right;
+    for (auto point = right.rbegin(); point != right.rend(); ++point) whole.push_back({-(*point)[0], (*point)[1]});
+    folder.write("man.json", Json{{"parts", {{{"name", "man"}, {"contour", whole}}}}}.dump());
+    const Json made = bones({"man.json"});
+    std::array<int, 2> elbows{};
+    for (const Json& joint : made["joints"]) {
+        const double x = joint["position"][0], y = joint["position"][1];
+        if (std::abs(x) > 1.1 && y > -0.4 && y < 0.8) ++elbows[x > 0];
+    }
+    EXPECT_EQ(elbows[0], 1);
+    EXPECT_EQ(elbows[1], 1);
+}
+
+// A vest across the chest hangs by its middle, and what hangs on the chest on both sides is as it were without.
+TEST_F(SkeletonCommand, WhatLiesAcrossTheMiddleHangsByIt) {
+    folder.write("vest.json", R"({"parts": [
+      {"name": "torso", "curve": [[-1.7, -0.6], [-1.6, 0.7], [-1, 1.7], [0, 2], [1, 1.7], [1.6, 0.7], [1.7, -0.6],
+                                  [1.1, -1.7], [0, -2], [-1.1, -1.7]]},
+      {"name": "vest", "thickness": 1.4, "curve": [[-1.75, 0.95], [-1.3, 1.75], [-0.4, 2.05], [0.4, 2.05], [1.3, 1.75],
+                                                   [1.75, 0.95], [0.9, 0.75], [0, 0.7], [-0.9, 0.75]]},
+      {"name": "arm", "mirrored": true, "curve": [[1.352, 1.667], [2.344, 1.129], [3.029, 0.115], [3.237, -0.791],
+        [2.909, -1.337], [2.363, -1.009], [2.171, -0.315], [1.656, 0.271], [0.848, 0.533], [0.533, 1.352]]}]})");
+    const Json made = bones({"vest.json"});
+    const Json& joints = made["joints"];
+    bool has_vest = false;
+    std::map<std::string, std::string> parents;
+    for (const Json& joint : joints) {
+        const std::string name = joint["name"];
+        parents[name] = joint["parent"].is_null() ? "" : std::string(joints[joint["parent"].get<size_t>()]["name"]);
+        if (joint["part"] != 1 || joints[joint["parent"].get<size_t>()]["part"] == 1) continue;
+        has_vest = true;
+        EXPECT_NEAR(joint["position"][0].get<double>(), 0, 1e-6) << name;
+    }
+    EXPECT_TRUE(has_vest);
+    // Mirror images hang on one joint, or on two that are.
+    const std::string left = parents.at("arm_0.L"), right = parents.at("arm_0.R");
+    const auto at = [&](const std::string& name) {
+        for (const Json& joint : joints)
+            if (joint["name"] == name) return joint["position"].get<std::array<double, 3>>();
+        return std::array<double, 3>{};
+    };
+    EXPECT_NEAR(at(left)[0], -at(right)[0], 1e-6) << left << " " << right;
+    EXPECT_NEAR(at(left)[1], at(right)[1], 1e-6) << left << " " << right;
+}
+
 // As maps have them, in metres from the equator.
 TEST_F(SkeletonCommand, DrawingsMayLieFarFromTheOrigin) {
     const std::vector<std::array<double, 2>> near = {{-3, -1}, {0, -1.2}, {3, -1}, {3, 1}, {0, 0.8}, {-3, 1}};
