@@ -55,6 +55,18 @@ public:
     enum class Meets { no, yes, unknown };
     virtual Meets meets(const double*, const double*) const { return Meets::unknown; }
 
+    // A plane between a straight piece and a part of the solid, which is all below it, as the piece is above.
+    struct Parting {
+        Place outwards{};
+        double height = 0;  // along that
+        double away = 0;    // how far the piece is from that part
+    };
+    static constexpr uint32_t no_parting = ~uint32_t{0};
+    // Parts the way from a to b from all of the boundary that is within `reach` of it, the nearest parts first. Returns
+    // how many planes that took: no more than there is room for; or no_parting, where the way meets the boundary, and of
+    // solids that are convex or no triangles.
+    virtual uint32_t part(const double*, const double*, double, std::span<Parting>) const { return no_parting; }
+
     // A wireframe of the boundary, moved outwards by `clearance` >= 0 without rounding corners; that of the box if the
     // shape has none of its own.
     virtual void draw(double clearance, Wires& wires) const;

@@ -58,6 +58,13 @@ Obstacle::Meets PlacedObstacle::meets(const double* a, const double* b) const {
     return obstacle_.meets(moved_back(a).data(), moved_back(b).data());
 }
 
+uint32_t PlacedObstacle::part(const double* a, const double* b, double reach, std::span<Parting> out) const {
+    const uint32_t count = obstacle_.part(moved_back(a).data(), moved_back(b).data(), reach, out);
+    for (uint32_t i = 0; count != no_parting && i < count; ++i)
+        for (uint32_t c = 0; c < dimension(); ++c) out[i].height += out[i].outwards[c] * shift_[c];
+    return count;
+}
+
 PlacedObstacles::PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, double more_clearance,
                                  Memory* memory)
     : obstacles_(std::move(obstacles)), placed_(memory) {
