@@ -144,37 +144,43 @@ void add_lowest(const CableContacts& all, uint32_t obstacle, ContactPlane::Of of
 }
 
 // Whether the obstacle parts pieces from itself; then with the planes that it gives.
-bool add_parting(const CableContacts& all, uint32_t obstacle, const Vec3& a, const Vec3& b, const PieceContacts& before,
-                 PieceContacts& contacts) {
+Task<bool> add_parting(Pace& pace, const CableContacts& all, uint32_t obstacle, const Buffer<Vec3>& places,
+                       uint32_t piece, const PieceContacts& before, PieceContacts& contacts) {
+    const double *const a = places[piece].data(), *const b = places[piece + 1].data();
+    const double clearance = all.set.clearance();
     Obstacle::Parting parting[PieceContacts::most];
-    const uint32_t count = all.set[obstacle].part(a.data(), b.data(), all.reach + all.set.clearance(), parting);
-    if (count == Obstacle::no_parting) return false;
+    uint32_t count = 0;
+    for (uint32_t found = 0; found < PieceContacts::most; ++found) {
+        count = all.set[obstacle].part(a, b, all.reach + clearance, parting, found);
+        co_await pace;
+        if (count == Obstacle::no_parting) co_return false;
+        if (count == found) break;
+    }
     for (uint32_t i = 0; i < count; ++i) {
         const Vec3 outwards(parting[i].outwards.data());
-        ContactPlane* const plane = add_plane(all, obstacle, ContactPlane::Of::piece, outwards,
-                                              parting[i].away - all.set.clearance(), before, contacts);
+        ContactPlane* const plane =
+            add_plane(all, obstacle, ContactPlane::Of::piece, outwards, parting[i].away - clearance, before, contacts);
         if (!plane) continue;
-        plane->height = parting[i].height + all.set.clearance() + contacts.margin;
+        plane->height = parting[i].height + clearance + contacts.margin;
         plane->at[plane->count++] = 1;
     }
-    return true;
+    co_return true;
 }
 
-// Of an obstacle, beside a piece. Returns what that took.
-uint32_t add_planes(CableContacts& all, uint32_t piece, uint32_t i, const Vec3& a, const Vec3& b,
-                    const PieceContacts& before) {
+// Of a solid that is not convex, beside a piece. Returns what that took.
+Task<uint32_t> add_planes_beside(Pace& pace, CableContacts& all, const Buffer<Vec3>& places, uint32_t piece, uint32_t i,
+                                 const PieceContacts& before) {
+    const Vec3 &a = places[piece], &b = places[piece + 1];
     using Of = ContactPlane::Of;
     const ObstacleSet& set = all.set;
     PieceContacts& contacts = all.pieces[piece];
     const double wide = all.reach + std::max(all.length, (b - a).norm());
-    if (set.at_least(i, a.data()) > wide) return 0;
-    if (set[i].is_convex()) {
-        add_lowest(all, i, Of::piece, lowest_of_piece(set, i, a, b, all.reach, false), a, b, before, contacts);
-        return 1;
-    }
     const PieceLook look = look_at_piece(set, i, a, b, 0);
-    if (look.away > wide) return 1;
-    if (look.away + set.clearance() > 0 && add_parting(all, i, a, b, before, contacts)) return rough_work;
+    if (look.away > wide) co_return 1;
+    if (look.away + set.clearance() > 0) {
+        const bool is_parted = co_await add_parting(pace, all, i, places, piece, before, contacts);
+        if (is_parted) co_return rough_work;
+    }
     // What the piece kept above still parts it from what was near.
     bool is_kept = false;
     const uint32_t kept = contacts.is_refined ? 0 : before.count;
@@ -183,12 +189,12 @@ uint32_t add_planes(CableContacts& all, uint32_t piece, uint32_t i, const Vec3& 
         contacts.planes[contacts.count++] = before.planes[k];
         is_kept = true;
     }
-    if (is_kept) return 1;
+    if (is_kept) co_return 1;
     if (piece > 0) add_lowest(all, i, Of::node, {look.away, 0, look.outwards}, a, b, before, contacts);
     const Lowest lowest = lowest_of_piece(set, i, a, b, all.length, contacts.is_refined);
     if (lowest.away < all.length && lowest.at > 0 && lowest.at < 1)
         add_lowest(all, i, Of::middle, lowest, a, b, before, contacts);
-    return contacts.is_refined ? refined_work : rough_work;
+    co_return contacts.is_refined ? refined_work : rough_work;
 }
 
 }  // namespace
@@ -199,8 +205,16 @@ Task<void> place_planes(Pace& pace, CableContacts& all, const Buffer<Vec3>& plac
         const PieceContacts before = all.pieces[piece];
         all.pieces[piece].count = 0;
         for (uint32_t i = 0; i < all.set.count(); ++i) {
-            const uint32_t work = add_planes(all, piece, i, places[piece], places[piece + 1], before);
-            if (work > 0 && slice.is_over(work)) co_await pace;
+            const Vec3 &a = places[piece], &b = places[piece + 1];
+            if (all.set.at_least(i, a.data()) > all.reach + std::max(all.length, (b - a).norm())) continue;
+            uint32_t work = 4;
+            if (all.set[i].is_convex()) {
+                const Lowest lowest = lowest_of_piece(all.set, i, a, b, all.reach, false);
+                add_lowest(all, i, ContactPlane::Of::piece, lowest, a, b, before, all.pieces[piece]);
+            } else {
+                work = co_await add_planes_beside(pace, all, places, piece, i, before);
+            }
+            if (slice.is_over(work)) co_await pace;
         }
         if (slice.is_over()) co_await pace;
     }

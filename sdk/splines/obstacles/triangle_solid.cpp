@@ -11,6 +11,7 @@ namespace flg {
 namespace {
 
 constexpr double below_share = 1e-9;  // of the reach: a triangle that is so much above a plane is below it
+constexpr uint32_t most_looks = 100;  // at eight triangles each, for a plane
 
 }  // namespace
 
@@ -62,17 +63,19 @@ bool TriangleSolid::is_met(const double* a, const double* b) const {
     return met;
 }
 
-uint32_t TriangleSolid::part(const double* a, const double* b, double reach, std::span<Obstacle::Parting> out) const {
+uint32_t TriangleSolid::part(const double* a, const double* b, double reach, std::span<Obstacle::Parting> out,
+                             uint32_t before) const {
     const Vec3 from(a), to(b), low = from.cwiseMin(to), high = from.cwiseMax(to);
     const double slack = below_share * reach;
-    uint32_t count = 0;
+    uint32_t count = before;
     // Whether a plane has all below it of what is no higher along any direction than `height` says.
     const auto is_below = [&](const auto& height) {
         return std::any_of(out.begin(), out.begin() + count, [&](const Obstacle::Parting& plane) {
             return height(Vec3(plane.outwards.data())) <= plane.height + slack;
         });
     };
-    while (count < out.size()) {
+    while (count < out.size() && count == before) {
+        uint32_t looks = 0;
         double square = reach * reach;
         Vec3 nearest = Vec3::Zero();
         uint32_t found = no_index;
@@ -83,6 +86,7 @@ uint32_t TriangleSolid::part(const double* a, const double* b, double reach, std
                 sum += away * away;
             }
             if (!(sum < square)) return sum;
+            if (looks >= most_looks) return HUGE_VAL;
             const auto height = [&](const Vec3& u) {
                 double most = 0;
                 for (uint32_t k = 0; k < 3; ++k) most += std::max(u[k] * box.lower[k], u[k] * box.upper[k]);
@@ -91,6 +95,8 @@ uint32_t TriangleSolid::part(const double* a, const double* b, double reach, std
             return is_below(height) ? HUGE_VAL : sum;
         };
         tree_.nearest_by(square_to_box, square, [&](uint32_t first, uint32_t end) {
+            if (looks >= most_looks) return;
+            ++looks;
             for (uint32_t t = first; t < end; ++t) {
                 const Vec3 corners[] = {corner(t, 0), corner(t, 1), corner(t, 2)};
                 const auto height = [&](const Vec3& u) {
