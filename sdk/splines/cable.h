@@ -3,15 +3,12 @@
 // among those that go around the solids as it does.
 //
 // Free ones are catenaries in closed form. Others fall from the straight way between their ends or, where that is
-// blocked, from the shortest way over the solids. The energy is minimized with multipliers for lengths and contacts
-// (augmented Lagrangian; Nocedal, Wright: Numerical Optimization, 2006, ch. 17) by Newton's method on a block
-// tridiagonal system, without friction. Contacts are planes that part pieces from solids, placed anew in each round
-// where these are nearest: for convex solids each round is a convex problem within what is allowed, so nothing is
-// passed through.
+// blocked, from the shortest way over the solids (cable_way.h), onto planes that part them from these (cable_contacts.h),
+// and slide until they rest (hanging_chain.h).
 //
-// Invariants: ends stay where they are, to the bit; each segment of one that rests has its length, to 1e-8 of it; all
-// of it keeps out of solids by their clearance: of balls, boxes, capsules and half-spaces by the convexity of their
-// distance, of meshes by their triangles, of others at places that are looked at.
+// Invariants: ends stay where they are, to the bit; each segment of one that rests is as long as `lengths` says, to 1e-8
+// of it; all of it keeps out of solids by their clearance: of balls, boxes, capsules and half-spaces by the convexity of
+// their distance, of meshes by their triangles, of others at places that are looked at.
 #pragma once
 
 #include "curves/curve_set.h"
@@ -34,9 +31,10 @@ struct CableRequest {
 Task<void> hang_cables(Pace& pace, CableRequest request);
 
 struct HungCable {
-    explicit HungCable(Memory* memory) : places(memory) {}
-    std::pmr::vector<Vec3> places;  // segments + 1
-    uint32_t rounds = 0;            // of Newton's method; 0: a catenary
+    explicit HungCable(Memory* memory) : places(memory), lengths(memory) {}
+    std::pmr::vector<Vec3> places;     // segments + 1
+    std::pmr::vector<double> lengths;  // of the cable from its first end, as many
+    uint32_t rounds = 0;               // of Newton's method; 0: a catenary
 };
 
 // One span of it. `size`: of the scene, metres. Throws a Failure that names points `number` and the next.

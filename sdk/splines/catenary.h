@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/vec.h"
 
@@ -51,6 +52,11 @@ public:
         const double high = std::hypot(pull_, s) + std::hypot(pull_, begin_);
         const double up = high > 0 ? (s - begin_) * (s + begin_) / high : 0;
         return from_ + aside * aside_ + up * up_;
+    }
+    // How far along it turns from down to up, within a bend as narrow as `radius`; none where it does not.
+    std::optional<double> bend(double radius) const {
+        const bool turns = !is_straight_ && pull_ < radius && begin_ < 0 && begin_ + length_ > 0;
+        return turns ? std::optional(-begin_) : std::nullopt;
     }
     // The greatest, over the weight of a metre: a length. Of a straight one it would be infinite.
     double tension() const {

@@ -190,6 +190,58 @@ TEST(MeshObstacle, ABoxIsOneExactly) {
 }
 
 // With a clearance of many cells, of values alone too; and no jump in what barriers see.
+// All triangles within reach of a straight piece are below one of the planes, and all of the piece is above them.
+TEST(MeshObstacle, PlanesPartAPieceFromTheTriangles) {
+    const Mesh mesh = make_mesh(torus(60, 30));
+    const SampledDistance d = sampled(mesh, 0.3, 32, true);
+    const MeshObstacle obstacle = solid(d, mesh);
+    const double reach = 0.25;
+    uint32_t parted = 0, met = 0, planes = 0;
+    for (uint64_t k = 0; k < 400; ++k) {
+        const Numbers from = random_numbers(2 * k, 1.6), by = random_numbers(2 * k + 1, 0.15);
+        const Vec3 a(from[0], from[1], 0.5 * from[2]), b = a + Vec3(by[0], by[1], by[2]);
+        Obstacle::Parting out[32];
+        uint32_t count = 0;
+        for (uint32_t found = 0; found < 32; ++found) {
+            count = obstacle.part(a.data(), b.data(), reach, out, found);
+            if (count == found || count == Obstacle::no_parting) break;
+        }
+        const bool meets = obstacle.meets(a.data(), b.data()) == Obstacle::Meets::yes;
+        EXPECT_EQ(count == Obstacle::no_parting, meets) << k;
+        if (count == Obstacle::no_parting) {
+            ++met;
+            continue;
+        }
+        ASSERT_LT(count, 32u);
+        parted += count > 0;
+        planes = std::max(planes, count);
+        for (uint32_t i = 0; i < count; ++i) {
+            const Vec3 outwards(out[i].outwards.data());
+            EXPECT_NEAR(outwards.norm(), 1, 1e-12);
+            EXPECT_NEAR(std::min(outwards.dot(a), outwards.dot(b)) - out[i].height, out[i].away, 1e-9);
+            EXPECT_LT(out[i].away, reach);
+        }
+        for (const Triple& t : mesh.triangles) {
+            const bool below = std::any_of(out, out + count, [&](const Obstacle::Parting& plane) {
+                const Vec3 outwards(plane.outwards.data());
+                return std::max({outwards.dot(mesh.position(t[0])), outwards.dot(mesh.position(t[1])),
+                                 outwards.dot(mesh.position(t[2]))}) <= plane.height + 1e-9;
+            });
+            if (below) continue;
+            double nearest = HUGE_VAL;
+            for (int s = 0; s <= 20; ++s) {
+                const Vec3 x = a + s / 20.0 * (b - a);
+                nearest = std::min(
+                    nearest, triangle_foot(x, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])).to.norm());
+            }
+            EXPECT_GE(nearest, reach) << k;
+        }
+    }
+    EXPECT_GT(parted, 50u);
+    EXPECT_GT(met, 5u);
+    EXPECT_GT(planes, 1u);
+}
+
 TEST(MeshObstacle, WithAWideClearanceItIsExactThere) {
     const double half[3] = {1, 0.5, 0.25}, centre[3] = {0, 0, 0}, clearance = 0.6;
     const BoxObstacle box(3, centre, half, nullptr);

@@ -221,6 +221,32 @@ TEST(ObstaclePath, NoWayIsRefused) {
     EXPECT_EQ(failure_of(set, {0, 0, 0.5, 0.5}), "");
 }
 
+// In space there are more than two sides: a way passes on the one that is asked for, not beside it where that is shorter,
+// up to a cell of the grid.
+TEST(ObstaclePath, InSpaceItPassesOnTheSideThatIsAskedFor) {
+    const double centre[3] = {0, 0, 0}, cube[3] = {1, 1, 1}, slab[3] = {1, 4, 0.2}, post[3] = {0.2, 0.2, 3};
+    const std::vector<double> points = {-3, 0, 0, 3, 0, 0.2};
+    for (const double* half : {cube, slab, post}) {
+        const BoxObstacle box(3, centre, half, nullptr);
+        const Obstacle* const all[] = {&box};
+        const ObstacleSet set(all, 0, heap());
+        for (uint32_t k : {1u, 2u}) {
+            for (const double way : {1.0, -1.0}) {
+                Sides sides = {{0, {}}};
+                sides[0].direction[k] = way;
+                const ObstaclePath path = path_of(set, points, sides);
+                // Where it passes the middle.
+                double passed = 0;
+                for (size_t i = 0; i + 5 < path.points.size(); i += 3) {
+                    const double *const a = &path.points[i], *const b = a + 3;
+                    if (a[0] <= 0 && b[0] > 0) passed = a[k] + a[0] / (a[0] - b[0]) * (b[k] - a[k]);
+                }
+                EXPECT_GT(way * passed, half[k] - path.spacing) << k << " " << way << " " << half[k];
+            }
+        }
+    }
+}
+
 TEST(ObstaclePath, SidesThatCannotBeAreRefused) {
     const Disc scene;
     EXPECT_EQ(failure_of(scene.set, {-2, 0, 0, -1.5}, {{0, {0, 1, 0}}}),

@@ -50,14 +50,18 @@ public:
     // Calls visit(first, end) with leaves that may hold something whose square distance from x is less than `square`,
     // which visit() lowers: near ones first. With all boxes made.
     template <class Visit>
-    void nearest(const double* x, const double& square, Visit&& visit) const;
-
-private:
-    static constexpr uint32_t leaf_size = 8, fan = 4, max_levels = 16;
+    void nearest(const double* x, const double& square, Visit&& visit) const {
+        nearest_by([x](const Box& box) { return square_to(box, x); }, square, visit);
+    }
     struct Box {
         std::array<double, 3> lower, upper;
     };
+    // The same by a square distance of one's own from a box: no more than that of anything in it.
+    template <class Measure, class Visit>
+    void nearest_by(const Measure& square_to_box, const double& square, Visit&& visit) const;
 
+private:
+    static constexpr uint32_t leaf_size = 8, fan = 4, max_levels = 16;
     static double square_to(const Box& box, const double* x) {
         double sum = 0;
         for (size_t k = 0; k < 3; ++k) {
@@ -141,8 +145,8 @@ void PointTree::walk_down(Near&& near, Visit&& visit) const {
     }
 }
 
-template <class Visit>
-void PointTree::nearest(const double* x, const double& square, Visit&& visit) const {
+template <class Measure, class Visit>
+void PointTree::nearest_by(const Measure& square_to_box, const double& square, Visit&& visit) const {
     Stack stack;
     size_t open = 0;
     stack[open++] = {levels_ - 1, 0, 0};
@@ -157,7 +161,7 @@ void PointTree::nearest(const double* x, const double& square, Visit&& visit) co
         const uint32_t end = std::min(first + fan, starts_[place.level] - starts_[below]);
         const size_t under = open;
         for (uint32_t child = first; child < end; ++child) {
-            const double away = square_to(boxes_[starts_[below] + child], x);
+            const double away = square_to_box(boxes_[starts_[below] + child]);
             if (!(away < square)) continue;
             size_t at = open++;
             for (; at > under && stack[at - 1].square <= away; --at) stack[at] = stack[at - 1];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "core/vec.h"
 
 namespace flg {
 
@@ -14,6 +15,8 @@ constexpr double border = 0.1;  // of the longest side, around points and obstac
 constexpr double cells_per_gap = 4;
 constexpr uint32_t gap_rounds = 8;
 constexpr double margin_share = 1.0 / 16;  // of the spacing
+constexpr double wall_share = 2;           // of an obstacle's height: so far its wall goes beside it
+constexpr double least_across = 1e-3;      // the sine of a side's angle with the way past the obstacle
 constexpr uint32_t edge_steps = 64;        // of a way as long as a cell: with a margin of 1/64 it has no more
 
 uint32_t min_cells(uint32_t dimension) {
@@ -55,11 +58,16 @@ double gap_between(const ObstacleSet& obstacles, const Obstacle& a, const Obstac
     return gap > 0 ? std::min(least, gap) : least;
 }
 
-SweepGrid grid_around(const ObstacleSet& obstacles, std::span<const double> points, double gap, double coarser) {
+SweepGrid grid_around(const ObstacleSet& obstacles, std::span<const double> points,
+                      const std::optional<Obstacle::Box>& within, double gap, double coarser) {
     const uint32_t d = obstacles.dimension();
     Obstacle::Box box;
     double longest = 0;
     bool any = obstacles.box(box);
+    for (uint32_t k = 0; k < d && any && within; ++k) {
+        box.lower[k] = std::clamp(box.lower[k], within->lower[k], within->upper[k]);
+        box.upper[k] = std::clamp(box.upper[k], within->lower[k], within->upper[k]);
+    }
     for (size_t p = 0; p < points.size() / d; ++p) {
         for (uint32_t k = 0; k < d; ++k) {
             const double x = points[p * d + k];
@@ -92,7 +100,7 @@ SweepGrid grid_around(const ObstacleSet& obstacles, std::span<const double> poin
 }  // namespace
 
 ObstacleGrid::ObstacleGrid(const ObstacleSet& obstacles, std::span<const ObstacleSide> sides, Memory* memory)
-    : obstacles_(obstacles), sides_(sides.begin(), sides.end(), memory) {
+    : obstacles_(obstacles), sides_(sides.begin(), sides.end(), memory), across_(sides.size(), memory) {
     const uint32_t d = obstacles.dimension();
     for (size_t s = 0; s < sides_.size(); ++s) {
         ObstacleSide& side = sides_[s];
@@ -116,10 +124,10 @@ bool ObstacleGrid::flag_node(uint32_t node) {
     const double d = obstacles_.distance(x.data());
     away_[node] = static_cast<float>(d);
     flags_[node] = d >= margin_ ? known : known | SweepDistance::unused;
-    for (const ObstacleSide& side : sides_) {
+    for (size_t s = 0; s < sides_.size(); ++s) {
         // Thinner ones are taken for bars two cells wide.
-        const double wider = std::max(grid_.spacing - obstacles_[side.obstacle].core_depth(), 0.0);
-        if (!in_extension(side, x.data(), wider)) continue;
+        const double wider = std::max(grid_.spacing - obstacles_[sides_[s].obstacle].core_depth(), 0.0);
+        if (!in_wall(s, x.data(), wider)) continue;
         flags_[node] = known | SweepDistance::unused | extension;
         break;
     }
@@ -172,6 +180,46 @@ bool ObstacleGrid::in_extension(const ObstacleSide& side, const double* x, doubl
     return false;
 }
 
+// By the straight way from point to point that is nearest to the obstacle.
+void ObstacleGrid::widen(size_t side, std::span<const double> points) {
+    const Obstacle& obstacle = obstacles_[sides_[side].obstacle];
+    const Vec3 core(obstacle.core().data()), up(sides_[side].direction.data());
+    double nearest = HUGE_VAL;
+    Vec3 along = Vec3::Zero();
+    for (size_t p = 0; p + 5 < points.size(); p += 3) {
+        const Vec3 a(&points[p]), way = Vec3(&points[p + 3]) - a;
+        const double square = way.squaredNorm(), t = square > 0 ? std::clamp(way.dot(core - a) / square, 0.0, 1.0) : 0;
+        const double away = (a + t * way - core).norm();
+        if (!(away < nearest)) continue;
+        nearest = away;
+        along = way;
+    }
+    const Vec3 across = up.cross(along);
+    if (!(across.norm() > least_across * along.norm())) return;
+    const Vec3 aside = across.normalized();
+    double high = 0, wide = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+        const double length = obstacle.box().upper[k] - obstacle.box().lower[k];
+        high += std::abs(up[k]) * length;
+        wide += std::abs(aside[k]) * length;
+    }
+    std::copy_n(aside.data(), 3, across_[side].along.begin());
+    across_[side].reach = 0.5 * wide + wall_share * high;
+}
+
+// In space beside the extension, too.
+bool ObstacleGrid::in_wall(size_t side, const double* x, double margin) const {
+    if (in_extension(sides_[side], x, margin)) return true;
+    const Across& across = across_[side];
+    const Obstacle::Place& core = obstacles_[sides_[side].obstacle].core();
+    double aside = 0;
+    for (uint32_t k = 0; k < grid_.dimension; ++k) aside += across.along[k] * (x[k] - core[k]);
+    if (aside == 0 || std::abs(aside) > across.reach) return false;
+    Obstacle::Place beside{};
+    for (uint32_t k = 0; k < grid_.dimension; ++k) beside[k] = x[k] - aside * across.along[k];
+    return in_extension(sides_[side], beside.data(), margin);
+}
+
 bool ObstacleGrid::on_side(const double* a, const double* b) const {
     if (sides_.empty()) return true;
     const uint32_t d = grid_.dimension;
@@ -205,7 +253,8 @@ Task<uint32_t> ObstacleGrid::look(Pace& pace, ObstacleGrid& of, SweepRange range
 }
 
 Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
-                                 std::span<const ObstacleSide> sides, double coarser) {
+                                 std::span<const ObstacleSide> sides, std::optional<Obstacle::Box> within,
+                                 double coarser) {
     ObstacleGrid made(obstacles, sides, pace.memory());
     const uint32_t count = obstacles.count();
     double gap = std::numeric_limits<double>::infinity();
@@ -221,13 +270,14 @@ Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::
             if (slice.is_over()) co_await pace;
         }
     }
-    made.grid_ = grid_around(obstacles, points, gap, coarser);
+    made.grid_ = grid_around(obstacles, points, within, gap, coarser);
     made.margin_ = margin_share * made.grid_.spacing;
     const uint32_t nodes = made.grid_.size();
     made.away_ = Buffer<float>(nodes, pace.memory());
     made.flags_ = Buffer<uint8_t>(nodes, pace.memory());
     co_await each(pace, nodes, Cost::some_ns, [&](uint32_t node) { made.flags_[node] = SweepDistance::unused; });
     if (made.sides_.empty()) co_return made;
+    for (size_t s = 0; s < made.sides_.size() && obstacles.dimension() == 3; ++s) made.widen(s, points);
     co_await ObstacleGrid::look(pace, made, made.grid_.whole());
     co_return made;
 }

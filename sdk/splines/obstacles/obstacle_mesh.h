@@ -26,6 +26,10 @@ public:
     Meets meets(const double* a, const double* b) const override {
         return triangles_.is_met(a, b) ? Meets::yes : Meets::no;
     }
+    uint32_t part(const double* a, const double* b, double reach, std::span<Parting> out,
+                  uint32_t before) const override {
+        return triangles_.part(a, b, reach, out, before);
+    }
 
 private:
     const SampledDistance& distance_;

@@ -151,19 +151,41 @@ uint32_t next_down(const Scene& scene, const ObstacleGrid& all, const SweepDista
     return next;
 }
 
+// Half the extent along an axis of all ways from a to b that are no longer than `length`: an ellipsoid.
+double half_extent(const Place& a, const Place& b, double length, uint32_t k) {
+    const double apart = distance(a, b), across = 0.5 * std::sqrt(std::max(length * length - apart * apart, 0.0));
+    const double u = apart > 0 ? (b[k] - a[k]) / apart : 0;
+    return std::sqrt(0.25 * length * length * u * u + across * across * (1 - std::min(u * u, 1.0)));
+}
+
 // All nodes on ways from a to b that are no longer than `length`, and those around a and b: the box of an ellipsoid.
 SweepRange around_ways(const SweepGrid& grid, const Place& a, const Place& b, double length) {
-    const double apart = distance(a, b), across = 0.5 * std::sqrt(std::max(length * length - apart * apart, 0.0));
     SweepRange range;
     for (uint32_t k = 0; k < grid.dimension; ++k) {
-        const double u = apart > 0 ? (b[k] - a[k]) / apart : 0, middle = 0.5 * (a[k] + b[k]);
-        const double half = std::sqrt(0.25 * length * length * u * u + across * across * (1 - std::min(u * u, 1.0)));
+        const double middle = 0.5 * (a[k] + b[k]), half = half_extent(a, b, length, k);
         const double low = (middle - half - grid.origin[k]) / grid.spacing - near_cells - 1,
                      high = (middle + half - grid.origin[k]) / grid.spacing + near_cells + 1, last = grid.counts[k] - 1;
         range.lower[k] = static_cast<uint32_t>(std::clamp(std::floor(low), 0.0, last));
         range.upper[k] = static_cast<uint32_t>(std::clamp(std::ceil(high), 0.0, last));
     }
     return range;
+}
+
+// Has all ways from point to point that are no longer than `longest`; none if that is infinite.
+std::optional<Obstacle::Box> box_of_ways(const Scene& scene, bool closed, double longest) {
+    if (longest == infinite) return std::nullopt;
+    Obstacle::Box box;
+    for (uint32_t k = 0; k < scene.d; ++k) {
+        box.lower[k] = infinite;
+        box.upper[k] = -infinite;
+        for (uint32_t leg = 0; leg < (closed ? scene.count : scene.count - 1); ++leg) {
+            const Place a = scene.given(leg), b = scene.given(leg + 1);
+            const double middle = 0.5 * (a[k] + b[k]), half = half_extent(a, b, longest, k);
+            box.lower[k] = std::min(box.lower[k], middle - half);
+            box.upper[k] = std::max(box.upper[k], middle + half);
+        }
+    }
+    return box;
 }
 
 // What a way is looked for on.
@@ -335,12 +357,14 @@ Task<void> refuse_inside(Pace& pace, const ObstacleSet& obstacles, std::span<con
 }
 
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,
-                                 std::span<const ObstacleSide> sides, double slack, Evaluations* evaluations) {
+                                 std::span<const ObstacleSide> sides, double slack, Evaluations* evaluations,
+                                 double longest) {
     const uint32_t d = obstacles.dimension(), count = static_cast<uint32_t>(points.size() / d);
     if (count < 2) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a path has %u points, it must have 2 at least", count);
     const Scene scene{obstacles, points, d, count, evaluations};
     co_await refuse_inside(pace, obstacles, points, slack);
-    ObstacleGrid made = co_await obstacle_grid(pace, obstacles, points, sides);
+    const std::optional<Obstacle::Box> within = box_of_ways(scene, closed, longest);
+    ObstacleGrid made = co_await obstacle_grid(pace, obstacles, points, sides, within);
     Field fine(std::move(made), pace.memory());
     std::optional<Field> coarse;
     const ObstacleGrid& grid = fine.grid;
@@ -362,7 +386,7 @@ Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::
         const bool is_clear = co_await sees(pace, scene, grid, from, to);
         if (!is_clear) {
             if (!coarse) {
-                ObstacleGrid coarser = co_await obstacle_grid(pace, obstacles, points, sides, coarse_spacing);
+                ObstacleGrid coarser = co_await obstacle_grid(pace, obstacles, points, sides, within, coarse_spacing);
                 coarse.emplace(std::move(coarser), pace.memory());
             }
             co_await find_trail(pace, scene, *coarse, fine, leg, from, to, trail);

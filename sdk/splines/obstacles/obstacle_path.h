@@ -26,13 +26,15 @@ struct ObstaclePath {
 
 // points: d numbers each, two points at least, finite. sides: how obstacles have to be passed by all of the path.
 // slack: metres, by which given points may be nearer than the clearance. evaluations: what it costs is taken from
-// them; null: no bound.
+// them; null: no bound. longest: no way from a point to the next that is longer is wanted, so none is looked for where
+// there are only longer ones.
 // Throws a Failure where a point is inside of an obstacle (nearer than the clearance), behind one whose side is given,
 // or in a gap finer than the grid; where there is no way; and where the evaluations are used up before it is found.
 // Memory: 14 bytes a node of the grid.
 Task<ObstaclePath> obstacle_path(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, bool closed,
                                  std::span<const ObstacleSide> sides, double slack = 0,
-                                 Evaluations* evaluations = nullptr);
+                                 Evaluations* evaluations = nullptr,
+                                 double longest = std::numeric_limits<double>::infinity());
 
 // Its first check: throws a Failure that names the point.
 Task<void> refuse_inside(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points, double slack);

@@ -58,6 +58,18 @@ Obstacle::Meets PlacedObstacle::meets(const double* a, const double* b) const {
     return obstacle_.meets(moved_back(a).data(), moved_back(b).data());
 }
 
+uint32_t PlacedObstacle::part(const double* a, const double* b, double reach, std::span<Parting> out,
+                              uint32_t before) const {
+    const auto move = [&](uint32_t first, uint32_t end, double way) {
+        for (uint32_t i = first; i < end; ++i)
+            for (uint32_t c = 0; c < dimension(); ++c) out[i].height += way * out[i].outwards[c] * shift_[c];
+    };
+    move(0, before, -1);
+    const uint32_t count = obstacle_.part(moved_back(a).data(), moved_back(b).data(), reach, out, before);
+    move(0, count == no_parting ? before : count, 1);
+    return count;
+}
+
 PlacedObstacles::PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, double more_clearance,
                                  Memory* memory)
     : obstacles_(std::move(obstacles)), placed_(memory) {

@@ -47,6 +47,8 @@ public:
     double evaluate_exactly(const double* x, double* gradient, double* second, double exact_below = 0) const override;
     bool is_convex() const override { return obstacle_.is_convex(); }
     Meets meets(const double* a, const double* b) const override;
+    uint32_t part(const double* a, const double* b, double reach, std::span<Parting> out,
+                  uint32_t before) const override;
 
 private:
     Place moved_back(const double* x) const;

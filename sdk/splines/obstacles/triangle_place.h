@@ -42,6 +42,41 @@ inline TriangleFoot triangle_foot(const Vec3& p, const Vec3& a, const Vec3& b, c
     return {ap - vb / sum * ab - vc / sum * ac, On::face};
 }
 
+// Between the nearest points of two straight ways, from the first one.
+inline Vec3 way_between(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 u = b - a, v = d - c, w = c - a;
+    const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
+    const double across = uu * vv - uv * uv;
+    double s = across > 1e-14 * uu * vv ? std::clamp((uw * vv - vw * uv) / across, 0.0, 1.0) : 0, t = 0;
+    if (vv > 0) t = std::clamp((s * uv - vw) / vv, 0.0, 1.0);
+    if (uu > 0) s = std::clamp((t * uv + uw) / uu, 0.0, 1.0);
+    return w + t * v - s * u;
+}
+
+// Whether the straight way from a to b meets a triangle: by the signs of volumes, on which sides of the triangle the
+// ends are, and of the way its edges. A way in the triangle's plane may meet it and may not: `in_plane` says.
+inline bool meets_triangle(const Vec3& a, const Vec3& b, const Vec3* corners, bool in_plane) {
+    const Vec3 way = b - a, p = corners[0] - a, q = corners[1] - a, r = corners[2] - a;
+    const Vec3 normal = (q - p).cross(r - p);
+    const double begin = -normal.dot(p), last = normal.dot(way - p);
+    if ((begin > 0 && last > 0) || (begin < 0 && last < 0)) return false;
+    if (begin == 0 && last == 0) return in_plane;
+    const double u = way.dot(p.cross(q)), v = way.dot(q.cross(r)), w = way.dot(r.cross(p));
+    return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+// From the nearest point of a triangle to that of the straight way from a to b; 0 where they meet.
+inline Vec3 way_from_triangle(const Vec3* corners, const Vec3& a, const Vec3& b) {
+    if (meets_triangle(a, b, corners, false)) return Vec3::Zero();
+    Vec3 out = triangle_foot(a, corners[0], corners[1], corners[2]).to;
+    const auto take = [&](const Vec3& way) {
+        if (way.squaredNorm() < out.squaredNorm()) out = way;
+    };
+    take(triangle_foot(b, corners[0], corners[1], corners[2]).to);
+    for (uint32_t k = 0; k < 3; ++k) take(way_between(corners[k], corners[(k + 1) % 3], a, b));
+    return out;
+}
+
 // How often the edge from a to b turns around p counter-clockwise, seen along an axis: 1, -1 or 0, by whether it passes
 // the ray from p in direction u. The same bits for the edge from b to a but for the sign.
 inline int winding_of_edge(double pu, double pv, double au, double av, double bu, double bv) {

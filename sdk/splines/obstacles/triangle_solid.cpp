@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "splines/obstacles/triangle_solid.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "surfaces/mesh/spatial_order.h"
 
 namespace flg {
+
+namespace {
+
+constexpr double below_share = 1e-9;  // of the reach: a triangle that is so much above a plane is below it
+constexpr uint32_t most_looks = 100;  // at eight triangles each, for a plane
+
+}  // namespace
 
 TriangleSolid::Nearest TriangleSolid::nearest(const double* x, double below) const {
     Nearest found{below, no_index, {}};
@@ -43,21 +51,77 @@ bool TriangleSolid::holds(const double* x) const {
     return votes[1] == 2;
 }
 
-// By the signs of volumes: on which sides of the triangle the ends are, and of the way its edges.
 bool TriangleSolid::is_met(const double* a, const double* b) const {
     const Vec3 from(a), to(b), way = to - from, middle = 0.5 * (from + to);
     bool met = false;
     tree_.around(middle.data(), 0.5 * way.norm(), [&](uint32_t first, uint32_t end) {
         for (uint32_t t = first; t < end && !met; ++t) {
-            const Vec3 p = corner(t, 0) - from, q = corner(t, 1) - from, r = corner(t, 2) - from;
-            const Vec3 normal = (q - p).cross(r - p);
-            const double begin = -normal.dot(p), last = normal.dot(way - p);
-            if ((begin > 0 && last > 0) || (begin < 0 && last < 0)) continue;
-            const double u = way.dot(p.cross(q)), v = way.dot(q.cross(r)), w = way.dot(r.cross(p));
-            met = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+            const Vec3 corners[] = {corner(t, 0), corner(t, 1), corner(t, 2)};
+            met = meets_triangle(from, to, corners, true);
         }
     });
     return met;
+}
+
+uint32_t TriangleSolid::part(const double* a, const double* b, double reach, std::span<Obstacle::Parting> out,
+                             uint32_t before) const {
+    const Vec3 from(a), to(b), low = from.cwiseMin(to), high = from.cwiseMax(to);
+    const double slack = below_share * reach;
+    uint32_t count = before;
+    // Whether a plane has all below it of what is no higher along any direction than `height` says.
+    const auto is_below = [&](const auto& height) {
+        return std::any_of(out.begin(), out.begin() + count, [&](const Obstacle::Parting& plane) {
+            return height(Vec3(plane.outwards.data())) <= plane.height + slack;
+        });
+    };
+    while (count < out.size() && count == before) {
+        uint32_t looks = 0;
+        double square = reach * reach;
+        Vec3 nearest = Vec3::Zero();
+        uint32_t found = no_index;
+        const auto square_to_box = [&](const PointTree::Box& box) {
+            double sum = 0;
+            for (uint32_t k = 0; k < 3; ++k) {
+                const double away = std::max({box.lower[k] - high[k], low[k] - box.upper[k], 0.0});
+                sum += away * away;
+            }
+            if (!(sum < square)) return sum;
+            if (looks >= most_looks) return HUGE_VAL;
+            const auto height = [&](const Vec3& u) {
+                double most = 0;
+                for (uint32_t k = 0; k < 3; ++k) most += std::max(u[k] * box.lower[k], u[k] * box.upper[k]);
+                return most;
+            };
+            return is_below(height) ? HUGE_VAL : sum;
+        };
+        tree_.nearest_by(square_to_box, square, [&](uint32_t first, uint32_t end) {
+            if (looks >= most_looks) return;
+            ++looks;
+            for (uint32_t t = first; t < end; ++t) {
+                const Vec3 corners[] = {corner(t, 0), corner(t, 1), corner(t, 2)};
+                const auto height = [&](const Vec3& u) {
+                    return std::max({u.dot(corners[0]), u.dot(corners[1]), u.dot(corners[2])});
+                };
+                if (is_below(height)) continue;
+                const Vec3 way = way_from_triangle(corners, from, to);
+                const double own = way.squaredNorm();
+                if (!(own < square)) continue;
+                square = own;
+                nearest = way;
+                found = t;
+            }
+        });
+        if (found == no_index) break;
+        if (!(square > 0)) return Obstacle::no_parting;
+        Obstacle::Parting& plane = out[count];
+        plane.away = std::sqrt(square);
+        const Vec3 outwards = nearest / plane.away;
+        std::copy_n(outwards.data(), 3, plane.outwards.begin());
+        plane.height =
+            std::max({outwards.dot(corner(found, 0)), outwards.dot(corner(found, 1)), outwards.dot(corner(found, 2))});
+        ++count;
+    }
+    return count;
 }
 
 Vec3 TriangleSolid::normal(uint32_t triangle) const {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "splines/manifolds/point_tree.h"
+#include "splines/obstacles/obstacle.h"
 #include "splines/obstacles/triangle_place.h"
 #include "surfaces/mesh/mesh.h"
 
@@ -25,6 +26,11 @@ public:
     bool holds(const double* x) const;
     // Whether the straight way from a to b touches a triangle. Some 100 ns where it is short.
     bool is_met(const double* a, const double* b) const;
+
+    // See Obstacle::part(): each plane is that of the nearest triangle that is not below those before it. Some us
+    // a plane, 100 at most: then some triangle is taken that is not the nearest.
+    uint32_t part(const double* a, const double* b, double reach, std::span<Obstacle::Parting> out,
+                  uint32_t before) const;
 
     // Outwards.
     Vec3 normal(uint32_t triangle) const;
