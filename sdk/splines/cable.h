@@ -3,12 +3,12 @@
 // among those that go around the solids as it does.
 //
 // Free ones are catenaries in closed form. Others fall from the straight way between their ends or, where that is
-// blocked, from the shortest way over the solids (cable_way.h), onto planes that part them from these (cable_contacts.h),
-// and slide until they rest (hanging_chain.h).
+// blocked, from the shortest way over the solids (cable_way.h), onto planes that part them from these
+// (cable_contacts.h), and slide until they rest (hanging_chain.h).
 //
-// Invariants: ends stay where they are, to the bit; each segment of one that rests is as long as `lengths` says, to 1e-8
-// of it; all of it keeps out of solids by their clearance: of balls, boxes, capsules and half-spaces by the convexity of
-// their distance, of meshes by their triangles, of others at places that are looked at.
+// Invariants: ends stay where they are, to the bit; each segment of one that rests is as long as `lengths` says, to
+// 1e-8 of it; all of it keeps out of solids by their clearance: of balls, boxes, capsules and half-spaces by the
+// convexity of their distance, of meshes by their triangles, of others at places that are looked at.
 #pragma once
 
 #include "curves/curve_set.h"

@@ -3,9 +3,9 @@
 //
 // Of a mesh some planes part all of a piece from its triangles within reach: what keeps above with both ends passes
 // through nothing. Of a convex solid one plane does, and the place where the piece is nearest keeps above; its ends may
-// come nearer to the solid by a share of their way, so that the piece can turn about an edge that it lies on, as the plane
-// does when it is placed anew. Of other solids, and where a piece is in one, it is its end that keeps above, and where
-// it is deepest.
+// come nearer to the solid by a share of their way, so that the piece can turn about an edge that it lies on, as the
+// plane does when it is placed anew. Of other solids, and where a piece is in one, it is its end that keeps above, and
+// where it is deepest.
 #pragma once
 
 #include <deque>

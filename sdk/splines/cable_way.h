@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The way that a cable is laid along before it falls: straight or, where that is blocked, over what blocks it or, if the
-// cable is too short for that, the shortest way that is found. It is looked for among the obstacles that the cable can
-// reach, no farther than it can reach.
+// The way that a cable is laid along before it falls: straight or, where that is blocked, over what blocks it or, if
+// the cable is too short for that, the shortest way that is found. It is looked for among the obstacles that the cable
+// can reach, no farther than it can reach.
 #pragma once
 
 #include <span>

@@ -201,8 +201,8 @@ private:
     IndexTable first_;  // ridge, by triangle
 };
 
-// Streams as they are, up to where they meet a ridge; then the ridges. A stream meets one at a point of it; in the first
-// triangle that it crosses, by going straight to it; or where the stream ends beside it.
+// Streams as they are, up to where they meet a ridge; then the ridges. A stream meets one at a point of it; in the
+// first triangle that it crosses, by going straight to it; or where the stream ends beside it.
 class EndedStreams {
 public:
     EndedStreams(const Mesh& mesh, const RidgeMap& map, const SurfaceCurves& streams, SurfaceCurves& out)

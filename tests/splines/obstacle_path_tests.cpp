@@ -221,8 +221,8 @@ TEST(ObstaclePath, NoWayIsRefused) {
     EXPECT_EQ(failure_of(set, {0, 0, 0.5, 0.5}), "");
 }
 
-// In space there are more than two sides: a way passes on the one that is asked for, not beside it where that is shorter,
-// up to a cell of the grid.
+// In space there are more than two sides: a way passes on the one that is asked for, not beside it where that is
+// shorter, up to a cell of the grid.
 TEST(ObstaclePath, InSpaceItPassesOnTheSideThatIsAskedFor) {
     const double centre[3] = {0, 0, 0}, cube[3] = {1, 1, 1}, slab[3] = {1, 4, 0.2}, post[3] = {0.2, 0.2, 3};
     const std::vector<double> points = {-3, 0, 0, 3, 0, 0.2};

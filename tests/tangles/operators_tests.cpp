@@ -132,25 +132,29 @@ TEST(TangleOperators, StreamsOfBothBordersEndAtTheRidgeBetweenThem) {
     for (const auto& [label, area] : strips) EXPECT_NEAR(area, whole / 32, 0.03 * whole / 32);
 }
 
+// The strip of a stretch of the outline is what lies between it and the diagonals.
 TEST(TangleOperators, StreamsOfASquareEndAtItsDiagonals) {
+    constexpr int count = 42;
     const TangleHost host;
     const FlgSurface surface = host.surface(plane(60));
     const FlgTangle tangle = host.tangle(surface);
-    FlgTangleDivideDesc desc = contour(tangle, root, borders(FLG_TANGLE_BORDERS_OUTER), 0.1f, 1);
+    FlgTangleDivideDesc desc = contour(tangle, root, borders(FLG_TANGLE_BORDERS_OUTER), 4.0f / count, 1);
     desc.kind = FLG_TANGLE_OPERATOR_STREAM;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     expect_valid(host, surface, tangle, 1);
-    const FlgSurfaceView view = host.view(surface);
-    const std::map<uint32_t, double> strips = areas(view);
-    for (const auto& [label, area] : strips) printf("%u %f\n", label, area);
-    ASSERT_EQ(strips.size(), 40u);
-    // Of a side the strip from k to k + 1 tenths is a trapezium under the diagonals.
+    const std::map<uint32_t, double> strips = areas(host.view(surface));
+    ASSERT_EQ(strips.size(), size_t{count});
+    // What lies before a place on the outline, in metres from a corner.
+    const auto area_up_to = [](double along) {
+        const double side = std::floor(along), x = along - side;
+        return 0.25 * side + (x < 0.5 ? x * x / 2 : 0.25 - (1 - x) * (1 - x) / 2);
+    };
     std::vector<double> sorted, expected;
     for (const auto& [label, area] : strips) sorted.push_back(area);
-    for (int i = 0; i < 40; ++i) expected.push_back(0.1 * (0.05 + 0.1 * std::min(i % 10, 9 - i % 10)));
+    for (int i = 0; i < count; ++i) expected.push_back(area_up_to(4.0 * (i + 1) / count) - area_up_to(4.0 * i / count));
     std::sort(sorted.begin(), sorted.end());
     std::sort(expected.begin(), expected.end());
-    for (int i = 0; i < 40; ++i) EXPECT_NEAR(sorted[i], expected[i], 0.0012) << i;
+    for (int i = 0; i < count; ++i) EXPECT_NEAR(sorted[i], expected[i], 0.0012) << i;
 }
 
 TEST(TangleOperators, StreamsOfEachLeafStayInIt) {
@@ -158,11 +162,11 @@ TEST(TangleOperators, StreamsOfEachLeafStayInIt) {
     const FlgSurface surface = host.surface(plane(60));
     const FlgTangle tangle = host.tangle(surface);
     ASSERT_EQ(host.divide(contour(tangle, root, at_stretch({0, 0.75f, 1}), 0.25f, 3)), FLG_OK);
-    FlgTangleDivideDesc desc = contour(tangle, root, borders(FLG_TANGLE_BORDERS_EACH), 0.125f, 1);
+    FlgTangleDivideDesc desc = contour(tangle, root, borders(FLG_TANGLE_BORDERS_EACH), 0.14f, 1);
     desc.kind = FLG_TANGLE_OPERATOR_STREAM;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     expect_valid(host, surface, tangle, 1);
-    // Each leaf of 2.5 m of border: 20 strips, which tile it.
+    // Each leaf of 2.5 m of border: 18 strips, which tile it.
     std::map<uint32_t, double> of_leaf;
     std::map<uint32_t, uint32_t> count;
     for (const auto& [label, area] : areas(host.view(surface))) {
@@ -172,7 +176,7 @@ TEST(TangleOperators, StreamsOfEachLeafStayInIt) {
     ASSERT_EQ(of_leaf.size(), 4u);
     for (const auto& [leaf, area] : of_leaf) {
         EXPECT_NEAR(area, 0.25, 1e-5);
-        EXPECT_EQ(count[leaf], 20u);
+        EXPECT_EQ(count[leaf], 18u);
     }
 }
 

@@ -62,9 +62,10 @@ public:
         double away = 0;    // how far the piece is from that part
     };
     static constexpr uint32_t no_parting = ~uint32_t{0};
-    // Parts the way from a to b from the boundary within `reach` of it: out[0] to out[before - 1] are planes that do, the
-    // next one parts it from the nearest part that is not below these. Returns how many there are then: no more where
-    // none is needed; or no_parting, where the way meets the boundary, and of solids that are convex or no triangles.
+    // Parts the way from a to b from the boundary within `reach` of it: out[0] to out[before - 1] are planes that do,
+    // the next one parts it from the nearest part that is not below these. Returns how many there are then: no more
+    // where none is needed; or no_parting, where the way meets the boundary, and of solids that are convex or no
+    // triangles.
     virtual uint32_t part(const double*, const double*, double, std::span<Parting>, uint32_t) const {
         return no_parting;
     }

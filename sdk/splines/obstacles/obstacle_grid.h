@@ -75,10 +75,10 @@ private:
     Buffer<float> away_;  // a node's distance, where it is known
 };
 
-// points: d numbers each; the grid's box has them and all obstacles, of these what is `within`, with a tenth of its size
-// around. Obstacles outlive the grid. coarser: a factor of the spacing, at least 1. Throws a Failure: sides of obstacles that there are not, or
-// that have no outside, directions without length. About 1 ns a node; with sides 1 us, and more where a side's
-// extension is grazed.
+// points: d numbers each; the grid's box has them and all obstacles, of these what is `within`, with a tenth of its
+// size around. Obstacles outlive the grid. coarser: a factor of the spacing, at least 1. Throws a Failure: sides of
+// obstacles that there are not, or that have no outside, directions without length. About 1 ns a node; with sides 1 us,
+// and more where a side's extension is grazed.
 Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
                                  std::span<const ObstacleSide> sides,
                                  std::optional<Obstacle::Box> within = std::nullopt, double coarser = 1);
