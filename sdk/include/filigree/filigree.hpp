@@ -5321,7 +5321,7 @@ public:
     /// nothing as it falls from the straight way between its points is a catenary, in closed form: its points are
     /// evenly along that. Others come to rest on the obstacles, where their potential energy is least, on the side they
     /// fall from: the straight way or, where that is blocked, the shortest way over the obstacles. Their segments are
-    /// straight, have their length to 1e-8 of it, and keep the obstacles' clearance to 1e-6 of the scene's size: of
+    /// straight, as long as TIME says, to 1e-8, and keep the obstacles' clearance to 1e-6 of the scene's size: of
     /// balls, boxes, capsules, half-spaces and, without a clearance, meshes everywhere; of others at places a 32nd of a
     /// segment apart. What is longer than has room lies on the ground in folds. Points may touch obstacles. Fails with
     /// FLG_ERROR_INVALID_ARGUMENT where a point is inside an obstacle, where a span is too short for the ways around
