@@ -15,9 +15,9 @@ constexpr double window = 0.3;                          // of a piece: so far a 
 constexpr double evenness = 0.2;                        // of the radius: what an elbow is deeper by than the even place
 constexpr double same_length = 1.25, same_width = 1.5;  // of equal limbs
 constexpr uint32_t most_pieces = 8;
-constexpr double bends = 1;        // a limb's last bone that is as long for its width has a knee
-constexpr double bends_alone = 2;  // the same of a part of one bone
-constexpr double straight = 0.6;   // of a limb's length: a last bone that long has no knee before it
+constexpr double bends = 1;       // a limb's last bone that is as long for its width has a knee
+constexpr double bends_late = 2;  // the same of a part of one bone, and beyond a shoulder
+constexpr double straight = 0.6;  // of a limb's length: a last bone that long has no knee before it
 
 using Samples = std::span<const AxisSample>;
 using Joints = std::pmr::vector<uint32_t>;
@@ -107,10 +107,9 @@ struct FreeEnds {
     bool first, last;
 };
 
-// Whether a limb that begins in a trunk bends nowhere between where it leaves that and its end.
-bool has_no_elbow(Samples samples, FreeEnds free, std::span<const uint32_t> joints) {
-    if (free.first == free.last) return false;
-    if (joints.size() <= 3) return true;
+// Whether a limb that begins in a trunk, with joints between where it leaves that and its end, bends nowhere.
+bool is_straight(Samples samples, FreeEnds free, std::span<const uint32_t> joints) {
+    if (free.first == free.last || joints.size() <= 3) return false;
     const size_t last = free.first ? 0 : joints.size() - 2;
     const double trunk = radius_of(free.first ? samples.back() : samples.front());
     const double limb = length_of(samples, {joints.front(), joints.back()}) - trunk;
@@ -121,8 +120,9 @@ bool has_no_elbow(Samples samples, FreeEnds free, std::span<const uint32_t> join
 // bone.
 Task<void> divide_long(Pace& pace, const Contour& outline, Samples samples, FreeEnds free, double detail,
                        Joints& joints) {
-    const bool lacks_elbow = has_no_elbow(samples, free, joints);
-    const bool is_alone = free.first && free.last && joints.size() == 2;
+    const bool has_no_elbow = free.first != free.last && joints.size() <= 3;
+    const bool bends_late_if_long =
+        is_straight(samples, free, joints) || (free.first && free.last && joints.size() == 2);
     Joints all(pace.memory());
     for (size_t i = 0; i + 1 < joints.size(); ++i) {
         const Piece bone{joints[i], joints[i + 1]};
@@ -130,8 +130,8 @@ Task<void> divide_long(Pace& pace, const Contour& outline, Samples samples, Free
         const double length = length_of(samples, bone), width = 2 * radius;
         uint32_t pieces = pieces_of(length, width, detail);
         const bool is_free = (i == 0 && free.first) || (i + 2 == joints.size() && free.last);
-        if (is_free &&
-            ((lacks_elbow && length * detail >= bends * width) || (is_alone && length * detail >= bends_alone * width)))
+        const double least = has_no_elbow ? bends : bends_late;
+        if (is_free && (has_no_elbow || bends_late_if_long) && length * detail >= least * width)
             pieces = std::max(pieces, 2u);
         all.push_back(bone.from);
         if (pieces == 1) continue;

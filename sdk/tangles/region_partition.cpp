@@ -104,11 +104,12 @@ Task<void> number_parts(Pace& pace, const std::pmr::deque<Corner>& borders, Regi
 }  // namespace
 
 Task<RegionPartition> partition_regions(Pace& pace, const Mesh& mesh, const RegionSet& leaves,
-                                        const std::pmr::deque<Corner>& edges) {
+                                        const std::pmr::deque<Corner>& edges, Parts parts) {
     RegionPartition partition(mesh, leaves, pace.memory());
     co_await each_within(pace, mesh, leaves, Cost::some_ns, [&](uint32_t t) { partition.cells[t] = 0; });
     co_await mark_edges(pace, edges, partition);
-    const std::pmr::deque<Corner> borders = co_await flood_components(pace, partition);
+    std::pmr::deque<Corner> borders = co_await flood_components(pace, partition);
+    if (parts == Parts::within_leaves) borders.clear();
     co_await number_parts(pace, borders, partition);
     co_return partition;
 }

@@ -291,7 +291,11 @@ Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const Surfa
     EmbeddedCurves embedded(pace.memory());
     co_await embed_curves(pace, scene.surface.mesh(), scene.surface.columns, curves, edit, embedded);
     pace.stage("regions");
-    const RegionPartition partition = co_await partition_regions(pace, mesh, scene.leaves.set, embedded.edges);
+    // Streams of each leaf's borders stay in it.
+    const bool of_each =
+        scene.request.desc.kind == FLG_TANGLE_OPERATOR_STREAM && scene.request.a.borders == FLG_TANGLE_BORDERS_EACH;
+    const RegionPartition partition = co_await partition_regions(pace, mesh, scene.leaves.set, embedded.edges,
+                                                                 of_each ? Parts::within_leaves : Parts::across_leaves);
     const Buffer<uint32_t> numbers = co_await number_parts(pace, scene, curves, stream_count, embedded, partition);
     if (partition.part_count > 1) {
         Buffer<NewLeaf> components(partition.components.size(), pace.memory());

@@ -98,7 +98,7 @@ TEST_F(Turns, DeadlinesComeFirstTheNearestBeforeTheOthers) {
     const auto short_one = submit_steps(runtime, 10);
     const auto far = submit_wanted(runtime, 30, 50'000), near = submit_wanted(runtime, 30, 10'000);
     EXPECT_LE(frames_until_done(runtime, *near), 2u);
-    EXPECT_EQ(far->status.state, FLG_JOB_STATE_WAITING);
+    EXPECT_LE(far->status.busy_us, 1'100);
     EXPECT_LE(frames_until_done(runtime, *far), 3u);
     EXPECT_EQ(short_one->status.state, FLG_JOB_STATE_WAITING);
     EXPECT_EQ(far->status.late_us, 0);

@@ -166,17 +166,22 @@ TEST(TangleOperators, StreamsOfEachLeafStayInIt) {
     desc.kind = FLG_TANGLE_OPERATOR_STREAM;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     expect_valid(host, surface, tangle, 1);
-    // Each leaf of 2.5 m of border: 18 strips, which tile it.
+    // Each leaf of 2.5 m of border: 18 strips, which tile it; but where a stream starts in a triangle that fills a corner
+    // those beside it may be one.
     std::map<uint32_t, double> of_leaf;
     std::map<uint32_t, uint32_t> count;
+    uint32_t odd = 0;
     for (const auto& [label, area] : areas(host.view(surface))) {
         of_leaf[host.region(tangle, label).parent] += area;
         ++count[host.region(tangle, label).parent];
+        odd += host.region(tangle, label).part % 2;
     }
+    EXPECT_NEAR(odd, 36, 6) << "they take turns";
     ASSERT_EQ(of_leaf.size(), 4u);
     for (const auto& [leaf, area] : of_leaf) {
         EXPECT_NEAR(area, 0.25, 1e-5);
-        EXPECT_EQ(count[leaf], 18u);
+        EXPECT_GE(count[leaf], 17u);
+        EXPECT_LE(count[leaf], 18u);
     }
 }
 

@@ -5321,9 +5321,9 @@ public:
     /// nothing as it falls from the straight way between its points is a catenary, in closed form: its points are
     /// evenly along that. Others come to rest on the obstacles, where their potential energy is least, on the side they
     /// fall from: the straight way or, where that is blocked, the shortest way over the obstacles. Their segments are
-    /// straight, as long as TIME says, to 1e-8, and keep the obstacles' clearance to 1e-6 of the scene's size: of
-    /// balls, boxes, capsules, half-spaces and, without a clearance, meshes everywhere; of others at places a 32nd of a
-    /// segment apart. What is longer than has room lies on the ground in folds. Points may touch obstacles. Fails with
+    /// straight, as TIME says to 1e-8, and keep the obstacles' clearance to 1e-6 of the scene's size: of balls, boxes,
+    /// capsules, half-spaces and, without a clearance, meshes everywhere; of others at places a 32nd of a segment
+    /// apart. What is longer than has room lies on the ground in folds. Points may touch obstacles. Fails with
     /// FLG_ERROR_INVALID_ARGUMENT where a point is inside an obstacle, where a span is too short for the ways around
     /// the obstacles, and where it does not come to rest; with FLG_ERROR_LIMIT above 2^22 segments. Cost: about 0.1 us
     /// a segment of a free span; 5 to 50 ms for a span of 64 that rests on something, up to a second on a mesh or where

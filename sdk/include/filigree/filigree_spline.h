@@ -608,8 +608,8 @@ FLG_API FlgResult flgCableHangDescInit(FlgCableHangDesc* desc, uint32_t struct_s
  * along the cable), a curve per cable. They do not stretch, and bend without resistance. A span that meets nothing as
  * it falls from the straight way between its points is a catenary, in closed form: its points are evenly along that.
  * Others come to rest on the obstacles, where their potential energy is least, on the side they fall from: the straight
- * way or, where that is blocked, the shortest way over the obstacles. Their segments are straight, as long as TIME says,
- * to 1e-8, and keep the obstacles' clearance to 1e-6 of the scene's size: of balls, boxes, capsules, half-spaces
+ * way or, where that is blocked, the shortest way over the obstacles. Their segments are straight, as TIME says to
+ * 1e-8, and keep the obstacles' clearance to 1e-6 of the scene's size: of balls, boxes, capsules, half-spaces
  * and, without a clearance, meshes everywhere; of others at places a 32nd of a segment apart. What is longer than has
  * room lies on the ground in folds. Points may touch obstacles.
  * Fails with FLG_ERROR_INVALID_ARGUMENT where a point is inside an obstacle, where a span is too short for the ways

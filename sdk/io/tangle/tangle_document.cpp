@@ -158,10 +158,10 @@ TangleDocument::TangleDocument(const JsonValue& document, Bytes bytes) {
 }
 
 void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
-    value.allow({"op",      "on",       "from",   "to",           "delta",     "count",   "groups",
-                 "cycle",   "scaffold", "closed", "perturbation", "frequency", "seed",    "size",
-                 "spacing", "amount",   "bias",   "gain",         "reach",     "group",   "first",
-                 "made",    "placed",   "places", "mute",         "lost",      "missing", "names"});
+    value.allow({"op",       "on",     "from",         "to",        "delta", "count", "groups",  "cycle",
+                 "scaffold", "closed", "perturbation", "frequency", "seed",  "size",  "spacing", "amount",
+                 "bias",     "gain",   "reach",        "group",     "first", "made",  "placed",  "places",
+                 "mute",     "lost",   "missing",      "names",     "border"});
     const JsonValue op = value.at("op");
     Vector<const char*> words(std::begin(operator_words), std::end(operator_words));
     words.insert(words.end(), std::begin(macro_words), std::end(macro_words));
