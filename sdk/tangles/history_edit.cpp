@@ -124,7 +124,7 @@ bool needs_places(const TangleSeeds& seeds) {
     return seeds.curves || !seeds.points.empty();
 }
 bool chooses_borders(const TangleSeeds& seeds) {
-    return !seeds.stretches.empty() || seeds.other_loops;
+    return !seeds.stretches.empty() || seeds.loops != TangleSeeds::Loops::none;
 }
 
 class Rebuilding {

@@ -70,8 +70,8 @@ Task<TangleSeeds> copy_seeds(Pace& pace, const TangleSeeds& from) {
     TangleSeeds copy(pace.memory());
     copy.borders = from.borders;
     copy.stretches = from.stretches;
+    copy.loops = from.loops;
     copy.first_loop = from.first_loop;
-    copy.other_loops = from.other_loops;
     copy.points = co_await copy_buffer(pace, from.points);
     copy.curves = from.curves;
     copy.sample_radius = from.sample_radius;

@@ -294,6 +294,8 @@ Task<StreamLines> trace_streams(Pace& pace, Tangle& tangle, const LeafSet& leave
     const LeafSet& of_seeds = a.regions.empty() ? leaves : own;
     StreamLines streams{SurfaceCurves(pace.memory())};
     SurfaceCurves ridges(pace.memory());
+    const bool has_outer =
+        a.borders == FLG_TANGLE_BORDERS_OUTER || !a.stretches.empty() || a.loops == TangleSeeds::Loops::leading;
     if (a.borders == FLG_TANGLE_BORDERS_EACH) {
         for (const RegionId leaf : of_seeds.list) {
             const RegionSet one(&leaf, 1, pace.memory());
@@ -302,16 +304,16 @@ Task<StreamLines> trace_streams(Pace& pace, Tangle& tangle, const LeafSet& leave
             co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) { whole[l] = {.loop = l}; });
             co_await trace_from_loops(pace, bed, one, loops, whole, streams, ridges);
         }
-    } else if (a.borders == FLG_TANGLE_BORDERS_OUTER || !a.stretches.empty()) {
-        const RegionLoops loops = co_await find_loops(pace, mesh, of_seeds.set, a, "desc.a");
-        const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, loops, a, "desc.a");
-        co_await trace_from_loops(pace, bed, leaves.set, loops, stretches, streams, ridges);
+    } else if (has_outer) {
+        const SeedLoops found = co_await find_loops(pace, mesh, of_seeds.set, a, "desc.a");
+        const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, found, a, "desc.a");
+        co_await trace_from_loops(pace, bed, leaves.set, found.loops, stretches, streams, ridges);
     }
     if (a.curves) {
         std::pmr::deque<SurfacePoint> points(pace.memory());
         co_await sample_lines(pace, mesh, a.curves->curves, request.desc.delta, points);
         co_await trace_from(pace, mesh, field, leaves.set, points, streams.curves);
-    } else if (a.borders == FLG_TANGLE_BORDERS_NONE && a.stretches.empty()) {
+    } else if (a.borders == FLG_TANGLE_BORDERS_NONE && !has_outer) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.a has neither borders nor curves for streams to begin on");
     }
     streams.stream_count = streams.curves.curve_count();

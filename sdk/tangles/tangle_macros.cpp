@@ -19,8 +19,8 @@ DivideRequest contours(const MacroRequest& macro, float delta, uint32_t count, M
 DivideRequest between_borders(const MacroRequest& macro, float delta, uint32_t count, Memory* memory) {
     DivideRequest request = contours(macro, delta, count, memory);
     request.a.first_loop = request.b.first_loop = macro.desc.border;
-    request.a.stretches.push_back({.loop = 0});
-    request.b.other_loops = true;
+    request.a.loops = TangleSeeds::Loops::leading;
+    request.b.loops = TangleSeeds::Loops::others;
     return request;
 }
 

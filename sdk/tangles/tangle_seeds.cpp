@@ -10,6 +10,7 @@
 #include "surfaces/geodesics/geodesic_seeds.h"
 #include "surfaces/sampling/poisson_sampling.h"
 #include "surfaces/surface_inputs.h"
+#include "tangles/region_partition.h"
 #include "tangles/room_work.h"
 
 namespace flg {
@@ -94,53 +95,91 @@ Task<void> anchor_loops(Pace& pace, const Mesh& mesh, RegionLoops& loops, SeedAn
 
 namespace {
 
-// Of equally long ones the first, however their lengths were rounded.
-Task<uint32_t> longest_of(Pace& pace, const RegionLoops& loops) {
+// The longest loop of each piece that has two at least; of equally long ones the first, however lengths were rounded.
+Task<std::pmr::vector<uint32_t>> longest_of_pieces(Pace& pace, const Mesh& mesh, const RegionSet& leaves,
+                                                   const RegionLoops& loops) {
     constexpr double as_long = 1 + 1e-6;
-    uint32_t longest = 0;
-    co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) {
-        if (loops.lengths[l] > as_long * loops.lengths[longest]) longest = l;
+    const std::pmr::deque<Corner> no_edges(pace.memory());
+    const RegionPartition pieces = co_await partition_regions(pace, mesh, leaves, no_edges);
+    struct Piece {
+        uint32_t longest = no_index, count = 0;
+    };
+    Buffer<Piece> of_piece(pieces.part_count, pace.memory());
+    co_await each(pace, of_piece.size(), Cost::some_ns, [&](uint32_t p) { of_piece[p] = {}; });
+    co_await each(pace, loops.count(), Cost::tens_of_ns, [&](uint32_t l) {
+        const uint32_t triangle = triangle_of(loops.edges[loops.offsets[l]]);
+        Piece& piece = of_piece[pieces.components[pieces.component_of(triangle)].part];
+        ++piece.count;
+        if (piece.longest == no_index || loops.lengths[l] > as_long * loops.lengths[piece.longest]) piece.longest = l;
+    });
+    std::pmr::vector<uint32_t> longest(pace.memory());
+    co_await each(pace, of_piece.size(), Cost::tens_of_ns, [&](uint32_t p) {
+        if (of_piece[p].count > 1) longest.push_back(of_piece[p].longest);
     });
     co_return longest;
 }
 
-// That loop first, the others as they are.
-Task<void> move_to_front(Pace& pace, RegionLoops& loops, uint32_t first) {
-    if (first == 0) co_return;
+// Those loops first, the others as they are.
+Task<void> move_to_front(Pace& pace, const std::pmr::vector<uint32_t>& first, RegionLoops& loops) {
+    Buffer<uint8_t> is_first(loops.count(), pace.memory());
+    co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) { is_first[l] = 0; });
     RegionLoops ordered(pace.memory());
-    co_await add_loop(pace, loops, {first, loops.offsets[first]}, ordered);
-    for (uint32_t l = 0; l < loops.count(); ++l)
-        if (l != first) co_await add_loop(pace, loops, {l, loops.offsets[l]}, ordered);
+    for (const uint32_t l : first) {
+        is_first[l] = 1;
+        co_await add_loop(pace, loops, {l, loops.offsets[l]}, ordered);
+    }
+    Slice slice(Cost::some_ns);
+    for (uint32_t l = 0; l < loops.count(); ++l) {
+        if (is_first[l] == 0) co_await add_loop(pace, loops, {l, loops.offsets[l]}, ordered);
+        if (slice.is_over()) co_await pace;
+    }
     loops = std::move(ordered);
+}
+
+Task<uint32_t> lead(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
+                    const char* argument, RegionLoops& loops) {
+    if (seeds.first_loop != no_index && seeds.first_loop >= loops.count())
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s begins at border %u, the regions have %u borders", argument,
+                      seeds.first_loop, loops.count());
+    std::pmr::vector<uint32_t> first(pace.memory());
+    if (seeds.first_loop != no_index)
+        first.push_back(seeds.first_loop);
+    else
+        first = co_await longest_of_pieces(pace, mesh, leaves, loops);
+    if (first.empty() || loops.count() < 2)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the regions have one border, two are needed to go between them");
+    co_await move_to_front(pace, first, loops);
+    co_return static_cast<uint32_t>(first.size());
 }
 
 }  // namespace
 
-Task<RegionLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
-                             const char* argument) {
-    RegionLoops loops = co_await find_region_loops(pace, mesh, leaves);
+Task<SeedLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
+                           const char* argument) {
+    SeedLoops found{co_await find_region_loops(pace, mesh, leaves)};
+    RegionLoops& loops = found.loops;
     if (loops.count() == 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s asks for borders, but the regions are all of a closed surface",
                       argument);
     }
-    const uint32_t first = seeds.first_loop == no_index ? co_await longest_of(pace, loops) : seeds.first_loop;
-    if (first >= loops.count())
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s begins at border %u, the regions have %u borders", argument,
-                      first, loops.count());
-    co_await move_to_front(pace, loops, first);
+    if (seeds.loops != TangleSeeds::Loops::none)
+        found.leading = co_await lead(pace, mesh, leaves, seeds, argument, loops);
     if (seeds.anchors) co_await anchor_loops(pace, mesh, loops, *seeds.anchors);
-    co_return loops;
+    co_return found;
 }
 
-Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const RegionLoops& loops, const TangleSeeds& seeds,
+Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const SeedLoops& found, const TangleSeeds& seeds,
                                              const char* argument) {
-    const bool all = seeds.stretches.empty();
-    Buffer<BorderStretch> chosen(all ? loops.count() : seeds.stretches.size(), pace.memory());
+    const uint32_t count = found.loops.count();
+    const bool named = !seeds.stretches.empty();
+    const uint32_t first = seeds.loops == TangleSeeds::Loops::others ? found.leading : 0;
+    const uint32_t end = seeds.loops == TangleSeeds::Loops::leading ? found.leading : count;
+    Buffer<BorderStretch> chosen(named ? seeds.stretches.size() : end - first, pace.memory());
     co_await each(pace, chosen.size(), Cost::some_ns, [&](uint32_t i) {
-        chosen[i] = all ? BorderStretch{.loop = i} : seeds.stretches[i];
-        if (chosen[i].loop >= loops.count())
+        chosen[i] = named ? seeds.stretches[i] : BorderStretch{.loop = first + i};
+        if (chosen[i].loop >= count)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.stretches[%u].loop is %u, the regions have %u borders",
-                          argument, i, chosen[i].loop, loops.count());
+                          argument, i, chosen[i].loop, count);
     });
     co_return chosen;
 }
@@ -256,16 +295,12 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
     }
     SurfaceCurves spaced(pace.memory());
     const bool outer = seeds.borders == FLG_TANGLE_BORDERS_OUTER;
-    if (outer || seeds.other_loops || !seeds.stretches.empty() || seeds.border_spacing > 0) {
-        const RegionLoops loops = co_await find_loops(pace, mesh, leaves, seeds, argument);
-        if (seeds.other_loops && loops.count() < 2) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the regions have one border, two are needed to go between them");
-        }
-        for (uint32_t l = 1; seeds.other_loops && l < loops.count(); ++l) {
-            co_await add_stretch(pace, mesh, loops, {.loop = l}, places.edges);
-        }
-        if (outer || !seeds.stretches.empty()) {
-            const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, loops, seeds, argument);
+    const bool stretched = seeds.loops != TangleSeeds::Loops::none || !seeds.stretches.empty();
+    if (outer || stretched || seeds.border_spacing > 0) {
+        const SeedLoops found = co_await find_loops(pace, mesh, leaves, seeds, argument);
+        const RegionLoops& loops = found.loops;
+        if (outer || stretched) {
+            const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, found, seeds, argument);
             for (const BorderStretch& stretch : stretches) {
                 co_await add_stretch(pace, mesh, loops, outer ? BorderStretch{.loop = stretch.loop} : stretch,
                                      places.edges);

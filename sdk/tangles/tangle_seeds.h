@@ -44,9 +44,9 @@ struct TangleSeeds {
 
     FlgTangleBorders borders = FLG_TANGLE_BORDERS_NONE;
     std::pmr::vector<BorderStretch> stretches;  // of the outer borders
-    // The outer border that comes before all others; no_index: the longest.
-    uint32_t first_loop = 0;
-    bool other_loops = false;  // the outer borders but the first
+    // The outer borders that lead, or all others. One leads; no_index: the longest of each piece that has two.
+    enum class Loops : uint8_t { none, leading, others } loops = Loops::none;
+    uint32_t first_loop = no_index;
     Buffer<SurfacePoint> points;
     std::shared_ptr<const TracedCurves> curves;  // or null
     float sample_radius = 0;                     // metres; 0: no samples
@@ -59,7 +59,7 @@ struct TangleSeeds {
 
     bool empty() const {
         return borders == FLG_TANGLE_BORDERS_NONE && stretches.empty() && points.empty() && !curves &&
-               sample_radius == 0 && border_spacing == 0 && !other_loops;
+               sample_radius == 0 && border_spacing == 0 && loops == Loops::none;
     }
 };
 
@@ -75,12 +75,17 @@ struct LeafSet {
 Task<LeafSet> list_leaves(Pace& pace, const RegionTree& tree, const std::pmr::vector<RegionId>& regions,
                           const char* argument);
 
-// The outer borders of leaves, in the order that the seeds say. Fails if there is none.
-Task<RegionLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
-                             const char* argument);
+// The outer borders of leaves; where the seeds ask for that, those that lead come first. Fails if there is none.
+struct SeedLoops {
+    RegionLoops loops;
+    uint32_t leading = 0;
+};
+Task<SeedLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
+                           const char* argument);
 
-// The stretches asked for, or all loops whole. Fails if one names a loop that does not exist.
-Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const RegionLoops& loops, const TangleSeeds& seeds,
+// The stretches asked for, or whole loops: those that lead, the others, or all. Fails if one names a loop that does not
+// exist.
+Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const SeedLoops& found, const TangleSeeds& seeds,
                                              const char* argument);
 
 // Sources for solve_field. `edges` and `points` hold what the seeds turn out to be, and outlive the sources.

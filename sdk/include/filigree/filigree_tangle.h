@@ -170,7 +170,7 @@ typedef struct FlgTangleApplyMacroDesc {
     float spacing;
     uint64_t seed; /* for samples; default 1 */
     /* Sunbursts and grids: the border they start from, an index as in FlgBorderStretch. FLG_NO_INDEX (default): the
-     * longest. */
+     * longest of each connected piece. */
     uint32_t border;
     uint32_t reserved;
 } FlgTangleApplyMacroDesc;

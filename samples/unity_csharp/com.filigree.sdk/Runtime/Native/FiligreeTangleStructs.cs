@@ -120,7 +120,7 @@ namespace Filigree
         public ulong seed;
         /// <summary>
         /// Sunbursts and grids: the border they start from, an index as in FlgBorderStretch. FLG_NO_INDEX (default):
-        /// the longest.
+        /// the longest of each connected piece.
         /// </summary>
         public uint border;
         public uint reserved;
