@@ -156,8 +156,9 @@ Task<uint32_t> lead(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const
 
 Task<SeedLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
                            const char* argument) {
-    SeedLoops found{co_await find_region_loops(pace, mesh, leaves)};
+    SeedLoops found{RegionLoops(pace.memory())};
     RegionLoops& loops = found.loops;
+    loops = co_await find_region_loops(pace, mesh, leaves);
     if (loops.count() == 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s asks for borders, but the regions are all of a closed surface",
                       argument);
