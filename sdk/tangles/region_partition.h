@@ -42,8 +42,9 @@ struct RegionPartition {
 };
 
 // `leaves`: the labels of what was divided; they and the mesh outlive the partition. `edges`: of the curves, as one
-// corner each or both. `parts`: whether a part goes on from leaf to leaf where no curve is. Cost: about 0.1 us a triangle within the leaves, 1 ns a triangle outside. Memory: 8 bytes a
-// triangle, not all of it touched; half of that is given back.
+// corner each or both. `parts`: whether a part goes on from leaf to leaf where no curve is. Cost: about 0.1 us a
+// triangle within the leaves, 1 ns a triangle outside. Memory: 8 bytes a triangle, not all of it touched; half of that
+// is given back.
 enum class Parts { across_leaves, within_leaves };
 Task<RegionPartition> partition_regions(Pace& pace, const Mesh& mesh, const RegionSet& leaves,
                                         const std::pmr::deque<Corner>& edges, Parts parts = Parts::across_leaves);

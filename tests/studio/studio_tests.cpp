@@ -140,10 +140,10 @@ wait
 expect skeletons.mirrored 1
 click "Weights"
 wait
-click "joint part 2_1.R"
+click "joint part 2_2.R"
 frames 2
 expect skeletons.weight < 0.001
-click "joint part 2_1.L"
+click "joint part 2_2.L"
 frames 2
 expect skeletons.weight < 0.001
 click "Both sides"
@@ -152,7 +152,7 @@ drag 0.520,0.550 0.520,0.650
 wait
 expect skeletons.weight_strokes 1
 expect skeletons.weight > 0.02
-click "joint part 2_1.R"
+click "joint part 2_2.R"
 frames 2
 expect skeletons.weight > 0.02
 )");

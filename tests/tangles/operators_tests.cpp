@@ -166,8 +166,8 @@ TEST(TangleOperators, StreamsOfEachLeafStayInIt) {
     desc.kind = FLG_TANGLE_OPERATOR_STREAM;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     expect_valid(host, surface, tangle, 1);
-    // Each leaf of 2.5 m of border: 18 strips, which tile it; but where a stream starts in a triangle that fills a corner
-    // those beside it may be one.
+    // Each leaf of 2.5 m of border: 18 strips, which tile it; but where a stream starts in a triangle that fills a
+    // corner those beside it may be one.
     std::map<uint32_t, double> of_leaf;
     std::map<uint32_t, uint32_t> count;
     uint32_t odd = 0;
