@@ -176,7 +176,7 @@ struct Crossings {
 }  // namespace
 
 Task<SurfaceCurves> voronoi_borders(Pace& pace, const Mesh& mesh, const RegionSet& regions, const DistanceField& cells,
-                                    const CellsApart& apart) {
+                                    CellsApart apart) {
     Crossings crossings(mesh, cells, apart, pace.memory());
     const std::pmr::deque<uint32_t>& crossed = crossings.triangles;
     co_await each_within(pace, mesh, regions, Cost::some_ns, [&](uint32_t t) { crossings.look_at(t); });

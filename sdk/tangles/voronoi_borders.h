@@ -31,6 +31,6 @@ using CellsApart = std::function<bool(uint32_t, uint32_t)>;
 // values 0; those of a triangle one behind the other. Cost: 5 ns a triangle of the regions, 2 us each that borders
 // cross.
 Task<SurfaceCurves> voronoi_borders(Pace& pace, const Mesh& mesh, const RegionSet& regions, const DistanceField& cells,
-                                    const CellsApart& apart = {});
+                                    CellsApart apart = {});
 
 }  // namespace flg
