@@ -96,13 +96,13 @@ TEST_F(Turns, DeadlinesComeFirstTheNearestBeforeTheOthers) {
     Runtime runtime(desc, &memory, memory.large_blocks);
     submit_steps(runtime, 100'000);
     const auto short_one = submit_steps(runtime, 10);
-    const auto far = submit_wanted(runtime, 30, 50'000), near = submit_wanted(runtime, 30, 10'000);
-    EXPECT_LE(frames_until_done(runtime, *near), 2u);
-    EXPECT_LE(far->status.busy_us, 1'100);
-    EXPECT_LE(frames_until_done(runtime, *far), 3u);
+    const auto later = submit_wanted(runtime, 30, 50'000), sooner = submit_wanted(runtime, 30, 10'000);
+    EXPECT_LE(frames_until_done(runtime, *sooner), 2u);
+    EXPECT_LE(later->status.busy_us, 1'100);
+    EXPECT_LE(frames_until_done(runtime, *later), 3u);
     EXPECT_EQ(short_one->status.state, FLG_JOB_STATE_WAITING);
-    EXPECT_EQ(far->status.late_us, 0);
-    EXPECT_EQ(near->status.late_us, 0);
+    EXPECT_EQ(later->status.late_us, 0);
+    EXPECT_EQ(sooner->status.late_us, 0);
 }
 
 // 20 ms of work that is wanted in 30 ms has to go on at once where it has 1 ms left in 12 ms; but not later on.
