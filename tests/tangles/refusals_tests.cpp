@@ -265,7 +265,7 @@ TEST(TangleOddities, ACancelledStepIsNone) {
 
 // Whenever it is cancelled, up to its last stage: what it has cut by then is taken back.
 TEST(TangleOddities, AStepThatIsCancelledWhileItCutsIsTakenBack) {
-    const auto dots = [](FlgTangle tangle) {
+    const auto grid_of = [](FlgTangle tangle) {
         FlgTangleApplyMacroDesc desc = flgTangleApplyMacroDefaults();
         desc.kind = FLG_TANGLE_MACRO_GRID;
         desc.tangle = tangle;
@@ -277,7 +277,7 @@ TEST(TangleOddities, AStepThatIsCancelledWhileItCutsIsTakenBack) {
     const TangleHost whole;
     const FlgSurface uncancelled = whole.surface(cylinder(60, 30));
     const FlgTangle of_uncancelled = whole.tangle(uncancelled);
-    const FlgTangleApplyMacroDesc desc_of_whole = dots(of_uncancelled);
+    const FlgTangleApplyMacroDesc desc_of_whole = grid_of(of_uncancelled);
     ASSERT_EQ(flgTangleApplyMacro(whole.context, &desc_of_whole, nullptr), FLG_OK);
     whole.finish();
 
@@ -285,7 +285,7 @@ TEST(TangleOddities, AStepThatIsCancelledWhileItCutsIsTakenBack) {
     const FlgSurface surface = host.surface(cylinder(60, 30));
     const FlgTangle tangle = host.tangle(surface);
     const std::string before = bits(host.view(surface));
-    const FlgTangleApplyMacroDesc desc = dots(tangle);
+    const FlgTangleApplyMacroDesc desc = grid_of(tangle);
     std::set<std::string> cancelled_in;
     for (uint32_t ticks = 1;; ticks += 1 + ticks / 8) {
         FlgJob job{};

@@ -317,8 +317,8 @@ typedef struct FlgJobOptions {
      * `job` is null if no handle was requested. Null: none. */
     void (*on_finished)(void* user_data, FlgJob job, FlgResult result);
     void* user_data;
-    /* The result is wanted so many microseconds after this call, by the context's clock. What the job waits for has at
-     * least this deadline. A job that misses it goes on: FlgFrameReport::jobs_late. Default 0: no deadline. */
+    /* The result is wanted so many microseconds after this call, by the context's clock. What the job waits for is
+     * wanted by then as well. A late job goes on, and counts in FlgFrameReport::jobs_late. Default 0: no deadline. */
     uint32_t deadline_us;
     uint32_t reserved;
 } FlgJobOptions;

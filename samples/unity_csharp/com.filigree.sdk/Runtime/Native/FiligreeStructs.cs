@@ -245,8 +245,8 @@ namespace Filigree
         public IntPtr on_finished;
         public void* user_data;
         /// <summary>
-        /// The result is wanted so many microseconds after this call, by the context's clock. What the job waits for
-        /// has at least this deadline. A job that misses it goes on: FlgFrameReport::jobs_late. Default 0: no deadline.
+        /// The result is wanted so many microseconds after this call, by the context's clock. What the job waits for is
+        /// wanted by then as well. A late job goes on, and counts in FlgFrameReport::jobs_late. Default 0: no deadline.
         /// </summary>
         public uint deadline_us;
         public uint reserved;
