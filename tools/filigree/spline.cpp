@@ -148,7 +148,8 @@ Drawn nodes_of(const FlgSplineView& view) {
 }
 
 // Over the triangles, wherever it passes from one to another; beside a curve there may be more than one.
-std::vector<Drawn> trace_of(Session& session, const MeshSurface& mesh, const Made& made, double offset, Report& report) {
+std::vector<Drawn> trace_of(Session& session, const MeshSurface& mesh, const Made& made, double offset,
+                            Report& report) {
     FlgSplineTraceDesc desc;
     flgSplineTraceDescInit(&desc, sizeof desc);
     desc.spline = made.spline;
@@ -292,8 +293,8 @@ void describe(const Options& options, Report& report) {
 }
 
 // The curve itself, one beside it, or one over the triangles.
-std::vector<Drawn> drawn_of(Session& session, const Options& options, const SplineManifold& manifold,
-                            const Made& made, Report& report) {
+std::vector<Drawn> drawn_of(Session& session, const Options& options, const SplineManifold& manifold, const Made& made,
+                            Report& report) {
     if (options.on_mesh) return trace_of(session, *manifold.mesh, made, options.beside.left, report);
     if (!options.beside.is_wanted()) return {nodes_of(made.view)};
     return {curve_of(curve_beside(session, options.beside, made.spline, made.subject, report))};
