@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfaces/geodesics/offset_lines.h"
 #include "surfaces/mesh/mesh_measures.h"
 #include "surfaces/tracing/geodesic_path.h"
-#include "surfaces/tracing/offset_lines.h"
 #include "surfaces/tracing/straight_walk.h"
 #include "surfaces/tracing/surface_walk.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/tracing/offset_lines.h"
+#include "surfaces/geodesics/offset_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ using Height = std::function<double(double, double)>;
 
 // Over [0, 1]^2.
 Soup ground(uint32_t cells, const Height& height) {
-    return grid(cells, cells, [&](double x, double y) { return Vec3(x, y, height(x, y)); }, false, true);
+    return grid(
+        cells, cells, [&](double x, double y) { return Vec3(x, y, height(x, y)); }, false, true);
 }
 
 double dents(double x, double y) {
@@ -67,8 +68,8 @@ struct Lines {
 Lines lines_beside(const Mesh& mesh, const SurfaceCurves& curve, double offset, bool haltingly = false) {
     Lines out;
     run_now(
-        test_memory(),
-        [&](Pace& pace) { return add_offset_lines(pace, mesh, curve, offset, out.curves, out.pieces); }, haltingly);
+        test_memory(), [&](Pace& pace) { return add_offset_lines(pace, mesh, curve, offset, out.curves, out.pieces); },
+        haltingly);
     EXPECT_EQ(out.pieces.size(), out.curves.points.size());
     return out;
 }
@@ -164,8 +165,8 @@ TEST(OffsetLines, OfThePlaneAreThoseOfThePlane) {
                 EXPECT_NEAR(distance_to(0.5 * (a + b)), away, 1.1 * offset_tolerance * away);
             });
             // It begins and ends beside the curve's ends.
-            const auto beside_end = [&](const std::array<double, 2>& end, const std::array<double, 2>& next, double sign,
-                                        const SurfacePoint& point) {
+            const auto beside_end = [&](const std::array<double, 2>& end, const std::array<double, 2>& next,
+                                        double sign, const SurfacePoint& point) {
                 const Vec3 way = sign * Vec3(next[0] - end[0], next[1] - end[1], 0).normalized();
                 const Vec3 left = Vec3(end[0], end[1], 0) + offset * Vec3(-way.y(), way.x(), 0);
                 if (distance_to(left) < (1 - 1e-6) * away) return;  // cut off

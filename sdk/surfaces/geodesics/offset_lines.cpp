@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/tracing/offset_lines.h"
+#include "surfaces/geodesics/offset_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@ namespace flg {
 
 namespace {
 
-constexpr double fine_edge = 0.125;       // of the offset: fronts are nearly straight along shorter ones
-constexpr double finest_edge = 0.004;     // likewise: where two fronts meet
+constexpr double fine_edge = 0.125;        // of the offset: fronts are nearly straight along shorter ones
+constexpr double finest_edge = 0.004;      // likewise: where two fronts meet
 constexpr uint32_t most_parts = 1u << 22;  // triangles that the level may pass
-constexpr uint32_t most_halvings = 10;    // of a stretch between edges
-constexpr uint32_t most_steps = 60;       // of looking for the level
-constexpr double step_tolerance = 1e-9;   // of the offset
+constexpr uint32_t most_halvings = 10;     // of a stretch between edges
+constexpr uint32_t most_steps = 60;        // of looking for the level
+constexpr double step_tolerance = 1e-9;    // of the offset
 
 // Part of a triangle.
 struct LevelPart {
@@ -218,7 +218,8 @@ void LevelLines::divide(const LevelPart& part, const uint32_t* middles, std::pmr
         const LevelPart piece{part.triangle, nodes, {a, b, c}};
         if (may_pass(piece)) out.push_back(piece);
     };
-    const auto count = static_cast<uint32_t>(std::count_if(middles, middles + 3, [](uint32_t m) { return m != no_index; }));
+    const auto count =
+        static_cast<uint32_t>(std::count_if(middles, middles + 3, [](uint32_t m) { return m != no_index; }));
     uint32_t k = 0;
     if (count == 1) k = middles[0] != no_index ? 0 : middles[1] != no_index ? 1 : 2;
     if (count == 2) k = middles[0] == no_index ? 0 : middles[1] == no_index ? 1 : 2;
@@ -444,8 +445,7 @@ Task<void> draw_lines(Pace& pace, LevelLines& lines) {
                 for (uint32_t k = 0; k < 3; ++k) {
                     const uint32_t own = lines.crossing_of_[3 * crossing.entered + k];
                     if (own == at) stretch.from = lines.crossing_place(part, k, crossing.at);
-                    if (own == crossing.next)
-                        stretch.to = lines.crossing_place(part, k, lines.crossings_[own].at);
+                    if (own == crossing.next) stretch.to = lines.crossing_place(part, k, lines.crossings_[own].at);
                 }
                 const bool ends = !lines.is_wanted(stretch.to_label) && stretch.to_label != SidedSegment::no_side;
                 if (lines.clip(stretch)) {
