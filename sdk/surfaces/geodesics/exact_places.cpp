@@ -30,9 +30,8 @@ double distance_through(const Window& window, const Vec2& place) {
 
 Task<void> sort_lights(Pace& pace, ExactPlaces& places) {
     const size_t triangles = places.solver_.faces().faces.size();
-    places.windows_of_ = co_await group_by(pace, places.windows_.size(), triangles, [&places](uint32_t i) {
-        return triangle_of(places.windows_[i].edge);
-    });
+    places.windows_of_ = co_await group_by(pace, places.windows_.size(), triangles,
+                                           [&places](uint32_t i) { return triangle_of(places.windows_[i].edge); });
     places.pieces_of_ = co_await group_by(pace, places.pieces_.size(), triangles,
                                           [&places](uint32_t i) { return places.pieces_[i].triangle; });
 }

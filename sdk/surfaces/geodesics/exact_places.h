@@ -20,7 +20,10 @@ public:
     // The solver is done, its faces, windows and pieces outlive this.
     ExactPlaces(const ExactSolver& solver, const std::pmr::deque<Window>& windows,
                 const std::pmr::deque<SidedSegment>& pieces, Memory* memory)
-        : solver_(solver), windows_(windows), pieces_(pieces), windows_of_{Buffer<uint32_t>(0, memory), {}},
+        : solver_(solver),
+          windows_(windows),
+          pieces_(pieces),
+          windows_of_{Buffer<uint32_t>(0, memory), {}},
           pieces_of_{Buffer<uint32_t>(0, memory), {}} {}
     friend Task<void> sort_lights(Pace& pace, ExactPlaces& places);
 

@@ -11,7 +11,7 @@ namespace flg {
 // A straight piece of a curve whose sides are told apart, in the coordinates of its triangle's first edge.
 struct SidedSegment {
     static constexpr uint32_t no_side = no_index - 1, beyond_end = no_index - 2;  // labels of places on the curve, and
-                                                                                 // of those nearest to its ends
+                                                                                  // of those nearest to its ends
     // Left of piece i is 2 i, right of it 2 i + 1.
     uint32_t label_of(const Vec2& place) const;
     Vec2 foot_of(const Vec2& place) const;  // its nearest place
