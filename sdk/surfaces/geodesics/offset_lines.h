@@ -4,9 +4,9 @@
 // anywhere: bends tighter than they are away leave corners, and beside narrow places they may be more than one.
 //
 // Triangles that the level may pass are divided, edge by edge and so alike on both sides, until their edges are an
-// eighth as long as it is away, and finer where it may cross one twice. There it is found by the signs at their corners,
-// so what is smaller may be missed, but lines never break off. Along edges it is found to rounding; between them points
-// are added until it is within a tolerance.
+// eighth as long as it is away, and finer where it may cross one twice. There it is found by the signs at their
+// corners, so what is smaller may be missed, but lines never break off. Along edges it is found to rounding; between
+// them points are added until it is within a tolerance.
 #pragma once
 
 #include "runtime/pace.h"
