@@ -10,7 +10,7 @@
 namespace flg {
 namespace {
 
-constexpr uint32_t most = ManyJoints::limit, not_there = UINT32_MAX;
+constexpr uint32_t most = ManyJoints::limit;
 constexpr double cut_off = 0.005;      // weights below it become 0, others are less by it
 constexpr double alike_share = 0.1;    // of how far weights are spread: joints that are so near move a point alike
 constexpr double choice_share = 4;     // of that too: how much the weight counts where joints are chosen
