@@ -243,6 +243,8 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     skin->mesh = co_await cut_merged(pace, even, &weights);
     pace.stage("weights");
     skin->weights = co_await keep_four_joints(pace, skin->mesh, weights, rig);
+    weights = {};
+    co_await pace;
     // Borders take more vertices than were asked for. Where thin parts do, they stay: with larger triangles, limbs that
     // pass close by each other would cut through each other.
     const bool is_even = skin->mesh.even_vertices <= max_surplus * skin->options.vertices;

@@ -52,10 +52,10 @@ struct ManyJoints {
 // Before all but four a vertex are given up (four_joints.h).
 struct ManyWeights {
     Buffer<ManyJoints> of_vertex;
-    Buffer<double> spread;  // how far they are spread: T
+    Buffer<double> spread;  // T: the square of how far they are spread
 };
 
-// Makes the first (1 - share) of it and `share` of the second.
+// Makes the first's weights (1 - share) of them and `share` of the second's, in the twelve largest.
 void mix_weights(ManyJoints& a, const ManyJoints& b, double share);
 
 // Makes the first's weights (1 - share) of them and `share` of the second's, in the four largest, continuously.

@@ -157,7 +157,7 @@ TEST(PartBorders, WeightsAreNoSteeperBesideThem) {
     }
 }
 
-// Weights are sorted and as many as before in sum; where nothing moved they are as they were.
+// Weights are sorted and sum to 1, but for those of a thirteenth joint; where nothing moved they are as they were.
 TEST(PartBorders, CarryWeights) {
     const Model model = animal();
     EvenMesh even = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = 3000}); }, false);
@@ -169,6 +169,10 @@ TEST(PartBorders, CarryWeights) {
     ASSERT_GT(mesh.positions.size(), before.of_vertex.size() + 50);
     ASSERT_EQ(weights.of_vertex.size(), mesh.positions.size());
     ASSERT_EQ(weights.spread.size(), mesh.positions.size());
+    for (const VertexWeights& four : four_of(mesh, weights, model).weights) {
+        EXPECT_NEAR(std::accumulate(four.begin(), four.end(), 0.0), 1, 1e-6);
+        EXPECT_TRUE(std::is_sorted(four.rbegin(), four.rend()));
+    }
     for (const ManyJoints& many : weights.of_vertex) {
         EXPECT_NEAR(std::accumulate(many.weights.begin(), many.weights.end(), 0.0), 1, 1e-3);
         EXPECT_TRUE(std::is_sorted(many.weights.rbegin(), many.weights.rend()));
