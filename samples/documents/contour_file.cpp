@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "documents/contour_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -42,31 +44,54 @@ void end_ring(ContourArrays& contour) {
     if (points != contour.offsets.back()) contour.offsets.push_back(points);
 }
 
-double doubled_area(const std::vector<double>& points, uint32_t begin, uint32_t end) {
-    double sum = 0;
-    for (size_t i = begin; i < end; ++i) {
-        const double *a = points.data() + 2 * i, *b = points.data() + 2 * (i + 1 == end ? begin : i + 1);
-        sum += a[0] * b[1] - a[1] * b[0];
+// A ring of a drawing.
+struct Ring {
+    explicit Ring(std::vector<double> of_points) : points(std::move(of_points)) {
+        for (size_t i = 0, before = points.size() - 2; i < points.size(); before = i, i += 2) {
+            area += 0.5 * (points[before] * points[i + 1] - points[i] * points[before + 1]);
+            for (size_t k = 0; k < 2; ++k) {
+                low[k] = std::min(low[k], points[i + k]);
+                high[k] = std::max(high[k], points[i + k]);
+            }
+        }
+        area = std::fabs(area);
     }
-    return std::fabs(sum);
+    double diagonal() const { return std::hypot(high[0] - low[0], high[1] - low[1]); }
+
+    bool encloses(double x, double y) const {
+        bool is_inside = false;
+        for (size_t i = 0, before = points.size() - 2; i < points.size(); before = i, i += 2) {
+            const double *a = points.data() + before, *b = points.data() + i;
+            if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) is_inside = !is_inside;
+        }
+        return is_inside;
+    }
+    // By a few of its points.
+    bool encloses(const Ring& other) const {
+        constexpr size_t looks = 64;
+        for (size_t k = 0; k < 2; ++k)
+            if (other.low[k] < low[k] || other.high[k] > high[k]) return false;
+        const size_t count = other.points.size() / 2, step = std::max<size_t>(1, count / looks);
+        for (size_t i = 0; i < count; i += step)
+            if (!encloses(other.points[2 * i], other.points[2 * i + 1])) return false;
+        return true;
+    }
+
+    std::vector<double> points;
+    double area = 0;
+    std::array<double, 2> low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL};
+};
+
+void add_ring(ContourArrays& contour, const Ring& ring) {
+    contour.points.insert(contour.points.end(), ring.points.begin(), ring.points.end());
+    end_ring(contour);
 }
 
-void put_first(ContourArrays& contour, uint32_t ring) {
-    ContourArrays sorted;
-    const auto add = [&](uint32_t r) {
-        const auto begin = contour.points.begin() + 2 * static_cast<ptrdiff_t>(contour.offsets[r]);
-        const auto end = contour.points.begin() + 2 * static_cast<ptrdiff_t>(contour.offsets[r + 1]);
-        sorted.points.insert(sorted.points.end(), begin, end);
-        end_ring(sorted);
-    };
-    add(ring);
-    for (uint32_t r = 0; r + 1 < contour.offsets.size(); ++r) {
-        if (r != ring) add(r);
-    }
-    contour = std::move(sorted);
+bool is_svg(const std::string& path) {
+    return ends_with_one_of(path, {".svg", ".SVG"});
 }
 
-ContourArrays read_svg(const std::string& path) {
+std::vector<Ring> read_svg(const std::string& path) {
     FlgCurveFile file = nullptr;
     if (flgCurveFileRead(path.c_str(), nullptr, &file) < 0) throw InputError(flgIoErrorGetMessage());
     const std::unique_ptr<FlgCurveFileT, decltype(&flgCurveFileRelease)> owner(file, flgCurveFileRelease);
@@ -74,28 +99,73 @@ ContourArrays read_svg(const std::string& path) {
     if (flgCurveFileGetView(file, &view) < 0) throw InputError(flgIoErrorGetMessage());
     const FlgColumn& column = view.columns[0];  // positions
     const size_t stride = column.stride == 0 ? 3 : column.stride / sizeof(float);
-    ContourArrays contour;
-    uint32_t largest = 0;
-    double most = 0;
+    std::vector<Ring> rings;
     for (uint32_t c = 0; c < view.curve_count; ++c) {
+        std::vector<double> points;
         for (size_t i = view.curve_offsets[c]; i < view.curve_offsets[c + 1]; ++i)
-            contour.points.insert(contour.points.end(), {column.data[i * stride], column.data[i * stride + 1]});
-        end_ring(contour);
-        const auto ring = static_cast<uint32_t>(contour.offsets.size()) - 2;
-        const double area = doubled_area(contour.points, contour.offsets[ring], contour.offsets[ring + 1]);
-        if (area > most) {
-            most = area;
-            largest = ring;
-        }
+            points.insert(points.end(), {column.data[i * stride], column.data[i * stride + 1]});
+        if (!points.empty()) rings.emplace_back(std::move(points));
     }
-    put_first(contour, largest);
+    if (rings.empty()) throw InputError(path + ": has no outline");
+    return rings;
+}
+
+// Numbers of rings, the largest first.
+std::vector<size_t> by_area(const std::vector<Ring>& rings) {
+    std::vector<size_t> order(rings.size());
+    for (size_t r = 0; r < rings.size(); ++r) order[r] = r;
+    std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        return rings[a].area != rings[b].area ? rings[a].area > rings[b].area : a < b;
+    });
+    return order;
+}
+
+ContourArrays contour_of_svg(const std::string& path) {
+    const std::vector<Ring> rings = read_svg(path);
+    const size_t largest = by_area(rings).front();
+    ContourArrays contour;
+    add_ring(contour, rings[largest]);
+    for (size_t r = 0; r < rings.size(); ++r)
+        if (r != largest) add_ring(contour, rings[r]);
     return contour;
+}
+
+Outlines outlines_of_svg(const std::string& path) {
+    constexpr double speck = 1.0 / 100;
+    constexpr size_t none = SIZE_MAX;
+    std::vector<Ring> rings = read_svg(path);
+    std::vector<double> corners;
+    for (const Ring& ring : rings) {
+        corners.insert(corners.end(), ring.low.begin(), ring.low.end());
+        corners.insert(corners.end(), ring.high.begin(), ring.high.end());
+    }
+    const double smallest = speck * Ring(corners).diagonal();
+    Outlines out;
+    out.speck_count = static_cast<uint32_t>(
+        std::erase_if(rings, [&](const Ring& ring) { return ring.diagonal() < smallest; }));
+    const std::vector<size_t> order = by_area(rings);
+    std::vector<size_t> parent(rings.size(), none);  // the smallest that encloses it
+    std::vector<bool> is_hole(rings.size(), false);
+    for (size_t i = 0; i < order.size(); ++i) {
+        const size_t ring = order[i];
+        for (size_t k = i; k-- > 0 && parent[ring] == none;)
+            if (rings[order[k]].encloses(rings[ring])) parent[ring] = order[k];
+        is_hole[ring] = parent[ring] != none && !is_hole[parent[ring]];
+    }
+    for (size_t r = 0; r < rings.size(); ++r) {
+        if (is_hole[r]) continue;
+        ContourArrays& contour = out.contours.emplace_back();
+        add_ring(contour, rings[r]);
+        for (size_t hole = 0; hole < rings.size(); ++hole)
+            if (is_hole[hole] && parent[hole] == r) add_ring(contour, rings[hole]);
+    }
+    return out;
 }
 
 }  // namespace
 
 ContourArrays read_contour_file(const std::string& path) {
-    if (ends_with_one_of(path, {".svg", ".SVG"})) return read_svg(path);
+    if (is_svg(path)) return contour_of_svg(path);
     std::ifstream file(path);
     if (!file) throw InputError(path + ": can't be opened: " + std::strerror(errno));
     ContourArrays contour;
@@ -132,6 +202,11 @@ ContourArrays read_contour_file(const std::string& path) {
     }
     if (contour.points.empty()) throw InputError(path + ": has no points");
     return contour;
+}
+
+Outlines read_outlines(const std::string& path) {
+    if (is_svg(path)) return outlines_of_svg(path);
+    return {{read_contour_file(path)}};
 }
 
 }  // namespace flg::cli

@@ -208,13 +208,22 @@ ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& sub
     return drawing;
 }
 
-DrawnPart read_contour_part(const std::string& path) {
-    DrawnPart part;
-    part.name = std::filesystem::path(path).stem().stem().string();
-    part.contour = read_contour_file(path);
-    part.placement[11] = part.contour.depth;
-    set_usual_look(part.material);
-    return part;
+std::vector<DrawnPart> read_contour_parts(const std::string& path, std::string& warning) {
+    Outlines outlines = read_outlines(path);
+    const uint32_t specks = outlines.speck_count;
+    if (specks > 0)
+        warning = path + ": " + std::to_string(specks) + (specks == 1 ? " outline is" : " outlines are") +
+                  " smaller than 1/100 of the drawing and left out";
+    const std::string name = std::filesystem::path(path).stem().stem().string();
+    std::vector<DrawnPart> parts;
+    for (ContourArrays& contour : outlines.contours) {
+        DrawnPart& part = parts.emplace_back();
+        part.name = parts.size() == 1 ? name : name + "-" + std::to_string(parts.size());
+        part.placement[11] = contour.depth;
+        part.contour = std::move(contour);
+        set_usual_look(part.material);
+    }
+    return parts;
 }
 
 namespace {

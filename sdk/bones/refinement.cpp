@@ -270,6 +270,7 @@ Task<void> collapse(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
 }  // namespace
 
 Task<void> refine(Pace& pace, BoneGraph& graph, std::span<const RefinementThresholds> thresholds) {
+    co_await prune(pace, thresholds, false, graph);
     co_await merge_junctions(pace, thresholds, graph);
     co_await prune(pace, thresholds, false, graph);
     for (bool goes_on = true; goes_on;) goes_on = co_await prune(pace, thresholds, true, graph);

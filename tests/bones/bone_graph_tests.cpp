@@ -220,6 +220,24 @@ TEST(Refinement, ShortBranchesArePruned) {
     expect_tree(graph);
 }
 
+// The outline of a limb that was scribbled: its axis has a twig at each of the outline's teeth.
+TEST(Refinement, TwigsDoNotMakeALimbOneJoint) {
+    constexpr uint32_t teeth = 40;
+    constexpr double apart = 0.25;
+    BoneGraph graph(memory());
+    const auto along = [](uint32_t k) { return apart * k + (k == 0 ? -1 : k == teeth ? 1 : 0); };
+    for (uint32_t k = 0; k <= teeth; ++k) {
+        graph.add_joint({along(k), 0, 0}, 0.3, 0);
+        if (k > 0) graph.add_bone(k - 1, k, 0);
+    }
+    for (uint32_t k = 1; k < teeth; ++k)
+        graph.add_bone(k, graph.add_joint({apart * k, k % 2 == 0 ? 0.3 : -0.3, 0}, 0.1, 0), 0);
+    refine(graph, {0.5, 0.5, 0});
+    EXPECT_EQ(joint_count(graph), teeth + 1);
+    for (uint32_t k = 0; k <= teeth; ++k) EXPECT_EQ(graph.joints()[k].at, Vec3(along(k), 0, 0));
+    expect_tree(graph);
+}
+
 TEST(Refinement, ATreeWithoutJunctionsIsNeverPruned) {
     BoneGraph graph = torso();
     refine(graph, {100, 100, 0});

@@ -112,6 +112,27 @@ TEST_F(SkeletonCommand, PlainContoursArePartsInOnePlane) {
     for (const Json& joint : json.at("joints")) EXPECT_EQ(joint.at("position")[2], 0.0);
 }
 
+TEST_F(SkeletonCommand, OutlinesOfAnSvgArePartsWithHoles) {
+    // A torso with a hole and an island in it, a leg over its edge, a dot of the pen, and no picture.
+    folder.write("animal.svg",
+                 "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='60'>"
+                 "<path d='M10 10 H90 V30 H10 Z M40 12 V28 H70 V12 Z'/><rect x='45' y='15' width='20' height='10'/>"
+                 "<rect x='15' y='25' width='8' height='30'/><circle cx='95' cy='5' r='0.2'/></svg>");
+    const Json json = bones({"animal.svg", "-o", "animal.glb"});
+    ASSERT_EQ(json.at("parts").size(), 3u);
+    EXPECT_EQ(json.at("parts")[0].at("name"), "animal");
+    EXPECT_EQ(json.at("parts")[1].at("name"), "animal-2");
+    EXPECT_EQ(json.at("parts")[2].at("name"), "animal-3");
+    EXPECT_EQ(json.at("parts")[2].at("parent"), 0);
+    EXPECT_EQ(report().at("warnings"),
+              Json::array({"animal.svg: 1 outline is smaller than 1/100 of the drawing and left out"}));
+    // Bones pass by the hole.
+    for (const Json& joint : json.at("joints")) {
+        const double x = joint.at("position")[0], y = joint.at("position")[1];
+        EXPECT_FALSE(joint.at("part") == 0 && x > 40 && x < 70 && y > -28 && y < -12) << joint;
+    }
+}
+
 TEST_F(SkeletonCommand, SketchesHaveADepth) {
     folder.write("SketchPolyline0.txt", "4\n0 0 26\n9 0 26\n9 2 26\n0 0 26\n");
     const Json lifted = bones({"SketchPolyline0.txt"});

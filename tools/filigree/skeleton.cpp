@@ -84,9 +84,15 @@ ModelDrawing read_drawing(const Options& options, Session& session, Report& repo
     if (options.contours.size() == 1 && options.contours[0].ends_with(".json")) {
         drawing = read_model_drawing(options.contours[0]);
     } else {
-        for (const std::string& path : options.contours)
-            drawing.parts.push_back(is_mesh_file(path) ? read_mesh_part(session, path, options.from, report)
-                                                       : read_contour_part(path));
+        for (const std::string& path : options.contours) {
+            if (is_mesh_file(path)) {
+                drawing.parts.push_back(read_mesh_part(session, path, options.from, report));
+                continue;
+            }
+            std::string warning;
+            for (DrawnPart& part : read_contour_parts(path, warning)) drawing.parts.push_back(std::move(part));
+            if (!warning.empty()) report.warn(warning);
+        }
     }
     drawing.repair = options.repair;
     if (!options.root.empty()) drawing.root = options.root;
@@ -422,10 +428,10 @@ void run_skeleton(Options options, const CommonOptions& common) {
         const std::string& subject = options.contours[0];
         ModelDrawing drawing = read_drawing(options, session, report);
         if (options.picture.file.empty()) options.picture.file = drawing.texture;
-        if (options.picture.box.empty() && ends_with_one_of(subject, {".svg", ".SVG"}))
-            options.picture.box = page_of_svg(subject);
         if (!options.picture.box.empty() && options.picture.file.empty())
             throw UsageError("--texture-box: needs a picture, by --texture or in the drawing");
+        if (options.picture.box.empty() && ends_with_one_of(subject, {".svg", ".SVG"}))
+            options.picture.box = page_of_svg(subject);
         if (!options.picture.file.empty()) place_picture(options.picture, drawing);
         FlgModelView view = flgModelViewDefaults();
         const FlgModel model = make_model(options, session, drawing, view, report);
@@ -452,8 +458,8 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("skeleton", "Turns drawn outlines into a model with bones");
     command->add_option("CONTOUR", options->contours,
-                        "Contours, a part each in the order they were drawn: .poly.txt, .svg, SketchPolyline*.txt; "
-                        "meshes, taken by their silhouettes; or one drawing (.json)");
+                        "Contours, a part each in the order they were drawn: .poly.txt, SketchPolyline*.txt; .svg, a "
+                        "part for each outline that is no hole of another; meshes, taken by their silhouettes; or one drawing (.json)");
     command
         ->add_option("--mesh", options->mesh,
                      "Instead of contours a mesh: it gets bones and weights, and keeps its vertices, triangles, "

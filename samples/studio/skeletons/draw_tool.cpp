@@ -88,7 +88,7 @@ void DrawTool::make_part() {
     editor_.brush.name.clear();
     part.contour = std::move(contour);
     part.at = {0.0, 0.0, z};
-    editor_.add(std::move(part), editor_.brush_mirror);
+    editor_.add({std::move(part)}, editor_.brush_mirror);
 }
 
 void DrawTool::make_hole() {

@@ -58,16 +58,19 @@ Drawing drawing_of(const cli::ModelDrawing& from) {
 }
 
 // Contours of files come in pixels as well as in metres. All of a set must get the same scale, whatever their own size.
-void take_pixels(DrawnPart& part) {
+void take_pixels(Drawing& drawing) {
     constexpr double kLargest = 20.0, kPixel = 0.01;  // metres
-    glm::dvec2 low = part.contour->rings[0][0], high = low;
-    for (const glm::dvec2& p : part.contour->rings[0]) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
+    glm::dvec2 low = drawing.parts[0].contour->rings[0][0], high = low;
+    for (const DrawnPart& part : drawing.parts)
+        for (const glm::dvec2& p : part.contour->rings[0]) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
     if (glm::distance(low, high) <= kLargest) return;
-    part.scale *= kPixel;
-    part.at *= kPixel;
+    for (DrawnPart& part : drawing.parts) {
+        part.scale *= kPixel;
+        part.at *= kPixel;
+    }
 }
 
 nlohmann::json numbers(const glm::dvec3& v) {
@@ -211,17 +214,19 @@ Drawing with_sentence(const std::string& subject, Read read) {
 
 }  // namespace
 
-Drawing read_drawing(const std::string& path) {
+Drawing read_drawing(const std::string& path, std::string& warning) {
     return with_sentence(path, [&] {
         if (path.ends_with(".json")) return drawing_of(cli::read_model_drawing(path));
         cli::ModelDrawing contour;
         contour.thresholds = kUsualBones;
-        contour.parts.push_back(cli::read_contour_part(path));
+        contour.parts = cli::read_contour_parts(path, warning);
         Drawing drawing = drawing_of(contour);
         const DrawnPart usual;
-        drawing.parts[0].color = usual.color;
-        drawing.parts[0].thickness = usual.thickness;
-        take_pixels(drawing.parts[0]);
+        for (DrawnPart& part : drawing.parts) {
+            part.color = usual.color;
+            part.thickness = usual.thickness;
+        }
+        take_pixels(drawing);
         return drawing;
     });
 }

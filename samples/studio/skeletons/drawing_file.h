@@ -11,8 +11,8 @@ namespace flg::studio {
 
 // All throw StudioError.
 
-// A .json drawing, or a contour file: one part.
-Drawing read_drawing(const std::string& path);
+// A .json drawing, or a contour file: a part for each outline; `warning` says what was left out.
+Drawing read_drawing(const std::string& path, std::string& warning);
 // For the command line: parts without the picture and the pose; at least one part.
 nlohmann::json drawing_json(const Drawing& drawing);
 void write_drawing(const Drawing& drawing, const std::string& path);

@@ -38,15 +38,17 @@ void Editor::set_plane(Drawing& drawing, MirrorAs as) {
     drawing.mirror = as == MirrorAs::front_back ? glm::vec4(0, 0, -1, 0) : glm::vec4(1, 0, 0, 0);
 }
 
-void Editor::add(DrawnPart part, MirrorAs as) {
+void Editor::add(std::vector<DrawnPart> parts, MirrorAs as) {
     commit();
     Drawing& drawing = change("add");
     set_plane(drawing, as);
-    part.mirrored = as != MirrorAs::single;
-    part.id = ++last_id_;
-    part.name = drawing.free_name(part.name);
-    now_.selected = part.id;
-    drawing.parts.push_back(std::move(part));
+    for (DrawnPart& part : parts) {
+        part.mirrored = as != MirrorAs::single;
+        part.id = ++last_id_;
+        part.name = drawing.free_name(part.name);
+        now_.selected = part.id;
+        drawing.parts.push_back(std::move(part));
+    }
     commit();
 }
 
@@ -66,7 +68,7 @@ void Editor::duplicate_selected() {
     const double width = radius_of(copy.contour->rings[0]) * copy.scale;
     copy.at += glm::dvec3(width, -width, 0.0);
     const MirrorAs as = mirror_of(copy);
-    add(std::move(copy), as);
+    add({std::move(copy)}, as);
 }
 
 void Editor::shift_selected(int by) {
@@ -103,7 +105,7 @@ void Editor::trace_mesh() {
                        part.name = name;
                        part.contour = std::move(contour);
                        set_placement(part, placement);
-                       add(std::move(part), MirrorAs::single);
+                       add({std::move(part)}, MirrorAs::single);
                    });
 }
 

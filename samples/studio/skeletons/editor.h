@@ -46,7 +46,7 @@ public:
 
     // With a number of its own, a free name, selected; a whole act. The mirror is the drawing's: all mirrored parts
     // have one.
-    void add(DrawnPart part, MirrorAs as);
+    void add(std::vector<DrawnPart> parts, MirrorAs as);
     void remove_selected();
     void duplicate_selected();
     // Earlier (-1) or later (1) in the list.

@@ -57,10 +57,12 @@ bool Skeletons::open(const std::string& path) {
     }
     const bool is_contour = ends_with(path, ".txt") || (is_in_front_ && ends_with(path, ".svg"));
     if (!is_contour && !(ends_with(path, ".json") && is_drawing(path))) return false;
-    Drawing drawing = read_drawing(path);
+    std::string warning;
+    Drawing drawing = read_drawing(path, warning);
+    if (!warning.empty()) editor_.app.notices.add(Weight::warning, warning);
     drop_tools();
     if (is_contour) {
-        editor_.add(std::move(drawing.parts[0]), MirrorAs::single);
+        editor_.add(std::move(drawing.parts), MirrorAs::single);
     } else {
         // The picture and what is drawn over it stay together.
         drawing.picture = editor_.drawing().picture;
