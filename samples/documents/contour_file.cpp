@@ -62,7 +62,8 @@ struct Ring {
         bool is_inside = false;
         for (size_t i = 0, before = points.size() - 2; i < points.size(); before = i, i += 2) {
             const double *a = points.data() + before, *b = points.data() + i;
-            if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) is_inside = !is_inside;
+            if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+                is_inside = !is_inside;
         }
         return is_inside;
     }
@@ -141,8 +142,8 @@ Outlines outlines_of_svg(const std::string& path) {
     }
     const double smallest = speck * Ring(corners).diagonal();
     Outlines out;
-    out.speck_count = static_cast<uint32_t>(
-        std::erase_if(rings, [&](const Ring& ring) { return ring.diagonal() < smallest; }));
+    out.speck_count =
+        static_cast<uint32_t>(std::erase_if(rings, [&](const Ring& ring) { return ring.diagonal() < smallest; }));
     const std::vector<size_t> order = by_area(rings);
     std::vector<size_t> parent(rings.size(), none);  // the smallest that encloses it
     std::vector<bool> is_hole(rings.size(), false);

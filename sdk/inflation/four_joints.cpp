@@ -11,11 +11,11 @@ namespace flg {
 namespace {
 
 constexpr uint32_t most = ManyJoints::limit;
-constexpr double cut_off = 0.0035;     // weights below it become 0, others are less by it
+constexpr double cut_off = 0.0036;     // weights below it become 0, others are less by it
 constexpr double alike_share = 0.1;    // of how far weights are spread: joints that are so near move a point alike
 constexpr double choice_share = 4;     // of that too: how much the weight counts where joints are chosen
 constexpr double least_taken = 0.001;  // the weight that any joint takes with
-constexpr double loss_fading = 0.8;    // from vertex to vertex
+constexpr double loss_fading = 0.85;   // from vertex to vertex
 constexpr uint32_t loss_rings = 8;
 constexpr float loss_that_matters = 0.015f;
 constexpr float hold = 0.002f;  // to what a vertex had, by what it lost: its neighbours together pull by 1

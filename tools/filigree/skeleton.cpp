@@ -457,9 +457,10 @@ void run_skeleton(Options options, const CommonOptions& common) {
 Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("skeleton", "Turns drawn outlines into a model with bones");
-    command->add_option("CONTOUR", options->contours,
-                        "Contours, a part each in the order they were drawn: .poly.txt, SketchPolyline*.txt; .svg, a "
-                        "part for each outline that is no hole of another; meshes, taken by their silhouettes; or one drawing (.json)");
+    command->add_option(
+        "CONTOUR", options->contours,
+        "Contours, a part each in the order they were drawn: .poly.txt, SketchPolyline*.txt; .svg, a "
+        "part for each outline that is no hole of another; meshes, taken by their silhouettes; or one drawing (.json)");
     command
         ->add_option("--mesh", options->mesh,
                      "Instead of contours a mesh: it gets bones and weights, and keeps its vertices, triangles, "
