@@ -103,6 +103,7 @@ public:
     FlgResult result = FLG_NOT_READY;
     char error[256] = "";
     uint64_t busy_ns = 0;
+    uint64_t usual_ns = 0;  // what jobs of its kind took lately; 0: there were none
     uint64_t max_slice_ns = 0;
     std::array<StageTime, max_stages> stages;
     uint32_t stage_count = 0;
@@ -138,11 +139,13 @@ public:
         const auto finished = static_cast<double>(done_units.load(std::memory_order_relaxed));
         return expected > 0 ? std::min(finished / expected, 1.0) : 0;
     }
-    // Work that is left at the rate so far; 0 also if that is not known.
+    // Work that is left at the rate so far, or else as others of its kind take; 0 also if that is not known.
     double remaining_ns() const {
         const double share = done_share();
-        return share > 0 ? static_cast<double>(busy_ns) * (1 - share) / share : 0;
+        if (share > 0) return static_cast<double>(busy_ns) * (1 - share) / share;
+        return static_cast<double>(usual_ns - std::min(usual_ns, busy_ns));
     }
+    bool knows_remaining() const { return usual_ns > 0 || done_share() > 0; }
 
     void begin_stage(const char* name, uint64_t now_ns, uint64_t slice_busy_ns) noexcept {
         end_stage(now_ns, slice_busy_ns);

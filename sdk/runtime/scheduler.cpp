@@ -271,6 +271,7 @@ void Scheduler::finish_branch(Strand& strand) {
 void Scheduler::complete(Job& job, FlgResult result, const char* error) {
     job.done = true;
     job.result = result;
+    if (result == FLG_OK) usual_times_.add(job.strand.kind, job.busy_ns);
     if (error != job.error) std::snprintf(job.error, sizeof job.error, "%s", error);
     add_finished(job);
     if (job.dependents) {
@@ -332,6 +333,7 @@ void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequi
     bool ready = false;
     {
         std::lock_guard lock(mutex_);
+        job->usual_ns = usual_times_.of(job->strand.kind);
         const Job* failed = nullptr;
         for (size_t i = 0; i < prerequisites.size(); ++i) {
             Job& other = *prerequisites[i].job;
@@ -416,7 +418,7 @@ void Scheduler::publish_progress() {
         status.late_us = late_us(*job, host_.now_ns());
         {
             std::lock_guard lock(mutex_);
-            if (share > 0) status.remaining_us = static_cast<float>(job->remaining_ns()) * 1e-3f;
+            if (job->knows_remaining()) status.remaining_us = static_cast<float>(job->remaining_ns()) * 1e-3f;
             status.busy_us = static_cast<float>(job->busy_ns) * 1e-3f;
             status.max_slice_us = static_cast<float>(job->max_slice_ns) * 1e-3f;
         }
@@ -427,6 +429,7 @@ void Scheduler::publish_progress() {
 void Scheduler::fill_wait(Job& job, FlgJobStatus& status) {
     std::lock_guard lock(mutex_);
     if (job.done || job.started) return;
+    if (job.knows_remaining()) status.remaining_us = static_cast<float>(job.remaining_ns()) * 1e-3f;
     status.wait = FLG_JOB_WAIT_TURN;
     if (job.waiting_for == 0) return;
     const Dependency* dependency = &job.first_awaited();

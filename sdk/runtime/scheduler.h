@@ -20,6 +20,7 @@
 #include "runtime/job.h"
 #include "runtime/large_blocks.h"
 #include "runtime/strand_heap.h"
+#include "runtime/usual_times.h"
 
 namespace flg {
 
@@ -138,6 +139,7 @@ private:
     std::condition_variable publishable_;
     std::array<ReadyQueue, 2 * priority_count + 1> ready_;  // the last first
     std::array<StrandHeap, priority_count> wanted_;         // jobs with a deadline
+    UsualTimes usual_times_;
     uint32_t ready_count_ = 0;
     std::shared_ptr<Job> started_;         // list of jobs that ran for the first time since the last tick
     std::shared_ptr<Job> first_settling_;  // jobs that are done and whose dependents are to be told

@@ -122,6 +122,47 @@ TEST_F(Turns, WhatIsLeftCountsAgainstADeadline) {
     EXPECT_EQ(large->status.remaining_us, 0);
 }
 
+// Jobs that do not tell their share take what the last ones of their kind took, also before they begin.
+TEST_F(Turns, WorkThatIsLeftIsThatOfTheLastJobsOfAKind) {
+    struct Body {
+        static Task<void> run(Pace& pace, ManualClock& clock, uint32_t count) {
+            for (uint32_t i = 0; i < count; ++i) {
+                clock.now_ns += 100'000;
+                co_await pace;
+            }
+        }
+    };
+    Runtime runtime(desc, &memory, memory.large_blocks);
+    const auto start = [&](uint32_t steps, bool is_other = false) {
+        auto job = runtime.scheduler().make_job(&memory);
+        if (is_other)
+            job->strand.start(Body::run(job->strand.pace, clock, steps));
+        else
+            job->strand.start(Body::run(job->strand.pace, clock, steps));
+        runtime.scheduler().submit(job, std::pmr::vector<Prerequisite>(&memory));
+        return job;
+    };
+    const auto status_of = [&](const std::shared_ptr<Job>& job) {
+        FlgJobStatus status = job->status;
+        runtime.scheduler().fill_wait(*job, status);
+        return status;
+    };
+    const auto first = start(60);
+    EXPECT_LT(status_of(first).remaining_us, 0);
+    frames_until_done(runtime, *first);
+    EXPECT_EQ(status_of(first).remaining_us, 0);
+    const auto second = start(60), other = start(60, true);
+    EXPECT_NEAR(status_of(second).remaining_us, 6'000, 100);
+    EXPECT_LT(status_of(other).remaining_us, 0);
+    runtime.tick(frame_us);
+    EXPECT_NEAR(status_of(second).remaining_us, 4'000, 200);
+    frames_until_done(runtime, *second);
+    frames_until_done(runtime, *other);
+    // The mean follows: a quarter of each.
+    frames_until_done(runtime, *start(20));
+    EXPECT_NEAR(status_of(start(1)).remaining_us, 5'000, 100);
+}
+
 TEST_F(Turns, WhatAJobWaitsForHasItsDeadline) {
     Runtime runtime(desc, &memory, memory.large_blocks);
     for (int i = 0; i < 5; ++i) submit_steps(runtime, 100'000);
