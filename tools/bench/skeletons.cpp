@@ -149,8 +149,7 @@ Row beside_cgal(const OutlineClass& outlines, double bar) {
         const double own = skeleton_ms(std::vector<Ring>(times, ring));
         const double peer = median_ms(ring.size() < 100 ? 7 : 1, [&] {
             return time_ms([&] {
-                for (size_t i = 0; i < times; ++i)
-                    cgal_skeleton(&ring.data()->x, static_cast<uint32_t>(ring.size()));
+                for (size_t i = 0; i < times; ++i) cgal_skeleton(&ring.data()->x, static_cast<uint32_t>(ring.size()));
             });
         });
         if (peer / own >= least) continue;
