@@ -13,8 +13,10 @@ namespace flg::cli {
 
 namespace {
 
-// What the parser says, with no more of the file than fits a sentence.
-std::string sentence_of(const std::string& what) {
+// What the parser says, without its number of the error, and with no more of the file than fits a sentence.
+std::string sentence_of(std::string what) {
+    if (const size_t number = what.find("] "); what.starts_with("[json.") && number != what.npos)
+        what = "is no JSON: " + what.substr(number + 2);
     constexpr std::string_view before = "last read: '", after = "'; expected";
     const size_t begin = what.find(before);
     if (begin == what.npos) return what;

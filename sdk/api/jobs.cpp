@@ -4,33 +4,15 @@
 
 using namespace flg;
 
-namespace {
-
-constexpr FlgJobStatus empty_status = {.struct_size = sizeof(FlgJobStatus),
-                                       .state = FLG_JOB_STATE_WAITING,
-                                       .result = FLG_NOT_READY,
-                                       .progress = 0,
-                                       .stage = "",
-                                       .error = "",
-                                       .busy_us = 0,
-                                       .max_slice_us = 0,
-                                       .wait = FLG_JOB_WAIT_NONE,
-                                       .remaining_us = -1,
-                                       .waits_for = {},
-                                       .late_us = 0,
-                                       .reserved = 0};
-
-}  // namespace
-
 extern "C" {
 
 FlgResult flgJobStatusInit(FlgJobStatus* status, uint32_t struct_size) {
-    return init(status, struct_size, empty_status, "status");
+    return init(status, struct_size, Job::first_status, "status");
 }
 
 FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status) {
     return guarded([&] {
-        write_struct(out_status, empty_status, "out_status");
+        write_struct(out_status, Job::first_status, "out_status");
         Context& self = get_context(context);
         const auto of_job = self.jobs.get(job.id, "job");
         FlgJobStatus status = of_job->status;

@@ -119,19 +119,20 @@ public:
     Job* next_pending = nullptr;
 
     // Published.
-    FlgJobStatus status{.struct_size = sizeof(FlgJobStatus),
-                        .state = FLG_JOB_STATE_WAITING,
-                        .result = FLG_NOT_READY,
-                        .progress = 0,
-                        .stage = "",
-                        .error = "",
-                        .busy_us = 0,
-                        .max_slice_us = 0,
-                        .wait = FLG_JOB_WAIT_NONE,
-                        .remaining_us = -1,
-                        .waits_for = {},
-                        .late_us = 0,
-                        .reserved = 0};
+    static constexpr FlgJobStatus first_status{.struct_size = sizeof(FlgJobStatus),
+                                               .state = FLG_JOB_STATE_WAITING,
+                                               .result = FLG_NOT_READY,
+                                               .progress = 0,
+                                               .stage = "",
+                                               .error = "",
+                                               .busy_us = 0,
+                                               .max_slice_us = 0,
+                                               .wait = FLG_JOB_WAIT_NONE,
+                                               .remaining_us = -1,
+                                               .waits_for = {},
+                                               .late_us = 0,
+                                               .reserved = 0};
+    FlgJobStatus status = first_status;
 
     // The share that is done, 0 to 1; 0 also if that is not known.
     double done_share() const {

@@ -3,10 +3,9 @@
 // one, and more while it forks. Only one thread runs a strand at a time; it wanders between threads.
 #pragma once
 
-#include <source_location>
-
 #include "runtime/pace.h"
 #include "runtime/task.h"
+#include "runtime/usual_times.h"
 
 namespace flg {
 
@@ -20,17 +19,16 @@ struct ReadyQueue {
 struct Strand {
     Strand(Job& owner, const Host& host, Memory* memory) : job(owner), pace(owner, host, memory) {}
 
-    // Tasks that are started at one place of the sources are of one kind.
-    void start(Task<void> task, std::source_location place = std::source_location::current()) {
+    void start(Task<void> task) {
         root = std::move(task);
-        kind = place;
+        kind = kind_of(root.handle());
         pace.resume_point = root.handle();
     }
 
     Job& job;
     Pace pace;
     Task<void> root;
-    std::source_location kind;
+    const void* kind = nullptr;  // the same of all tasks of one function
     Fork* member_of = nullptr;  // the fork it is a branch of; null for a job's first strand
     // In a ready queue, if it is in one.
     ReadyQueue* queue = nullptr;

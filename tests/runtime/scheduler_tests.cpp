@@ -131,14 +131,15 @@ TEST_F(Turns, WorkThatIsLeftIsThatOfTheLastJobsOfAKind) {
                 co_await pace;
             }
         }
+        static Task<void> run_of_another_kind(Pace& pace, ManualClock& clock, uint32_t count) {
+            co_await run(pace, clock, count);
+        }
     };
     Runtime runtime(desc, &memory, memory.large_blocks);
     const auto start = [&](uint32_t steps, bool is_other = false) {
         auto job = runtime.scheduler().make_job(&memory);
-        if (is_other)
-            job->strand.start(Body::run(job->strand.pace, clock, steps));
-        else
-            job->strand.start(Body::run(job->strand.pace, clock, steps));
+        Pace& pace = job->strand.pace;
+        job->strand.start(is_other ? Body::run_of_another_kind(pace, clock, steps) : Body::run(pace, clock, steps));
         runtime.scheduler().submit(job, std::pmr::vector<Prerequisite>(&memory));
         return job;
     };

@@ -346,6 +346,12 @@ TEST_F(SkeletonCommand, RefusesWhatItCantUse) {
             "does not know `colour`");
     refused(R"({"parts": [{"name": "a", "contour": [[0, 0], [1, 0], [0, 1]], "color": "red"}]})", "must be `#rrggbb`");
     refused(R"({"parts": [{"name": "a", "contour": [[0, 0], [1, 0], [0, 1]], "at": [1, 2]}]})", "must be 3 numbers");
+    for (const char* detail : {"nan", "0.01", "21", "-1"})
+        expect_refused({"skeleton", "animal.json", "--bones", "out.json", "--detail", detail}, 2, {"--detail", detail});
+    expect_refused({"skeleton", "animal.json", "--bones", "out.json", "--prune", "nan"}, 2,
+                   {"--prune", "not a number"});
+    expect_refused({"skeleton", "animal.json", "--bones", "out.json", "--previous", "leg.poly.txt"}, 1,
+                   {"leg.poly.txt: is no JSON: parse error at line 1"});
 }
 
 }  // namespace

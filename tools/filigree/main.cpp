@@ -2,6 +2,8 @@
 // The command line: everything the SDK does, without a window. Exit status: 0 done, 1 bad input or failed work, 2 bad
 // usage.
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -52,11 +54,18 @@ void add_common_options(CLI::App& program, flg::cli::CommonOptions& common) {
     program.add_flag("--quiet", common.quiet, "No progress and no warnings on stderr");
 }
 
+// Which all ranges let pass.
+std::string refuse_nan(const std::string& text) {
+    char* end = nullptr;
+    return std::isnan(std::strtod(text.c_str(), &end)) && *end == '\0' ? text + " is not a number" : "";
+}
+
 // What a value is, in place of its type in the program.
 void name_values(CLI::App& program) {
     static const std::map<std::string, std::string> names = {{"TEXT", "FILE"}, {"FLOAT", "X"}, {"UINT", "N"}};
     for (CLI::App* app : program.get_subcommands({})) {
         for (CLI::Option* option : app->get_options()) {
+            if (option->get_type_name().starts_with("FLOAT")) option->check(refuse_nan);
             const auto found = names.find(option->get_type_name());
             if (found != names.end()) option->type_name(found->second);
         }

@@ -516,7 +516,7 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     command
         ->add_option("--detail", options->detail,
                      "Joints in all limbs: 2 is finer, 0.5 coarser; 0: only the four above count. Default 1")
-        ->check(CLI::Range(0.0f, 20.0f));
+        ->check(CLI::Range(0.05f, 20.0f) | CLI::IsMember({"0"}));
     command->add_option("--root", options->root, "The part that the hierarchy begins with; default: the largest")
         ->type_name("PART");
     command
