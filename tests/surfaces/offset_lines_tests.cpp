@@ -193,6 +193,197 @@ TEST(OffsetLines, AlongEdgesAreStraight) {
     }
 }
 
+// ---- along edges ----
+
+// From vertex to vertex along edges, in the triangles to the left of them where there are any, or to the right.
+SurfaceCurves curve_along(const Mesh& mesh, const std::vector<uint32_t>& vertices, bool closed, bool left) {
+    SurfaceCurves out(test_memory());
+    const auto place_at = [&](Corner corner) { return point_on_edge(corner, 0); };
+    const auto edge_from = [&](uint32_t from, uint32_t to) {
+        for (Corner corner = 0; corner < 3 * mesh.triangle_count(); ++corner) {
+            const Triple& t = mesh.triangles[corner / 3];
+            if (t[corner % 3] == from && t[(corner + 1) % 3] == to) return corner;
+        }
+        return no_index;
+    };
+    const size_t count = vertices.size();
+    for (size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+        const Corner on_left = edge_from(vertices[i], vertices[(i + 1) % count]),
+                     on_right = edge_from(vertices[(i + 1) % count], vertices[i]);
+        const bool takes_left = on_left != no_index && (left || on_right == no_index);
+        out.points.push_back(place_at(takes_left ? on_left : next_corner(on_right)));
+        if (!closed && i + 2 == count) out.points.push_back(place_at(takes_left ? next_corner(on_left) : on_right));
+    }
+    out.offsets.push_back(static_cast<uint32_t>(out.points.size()));
+    out.closed.push_back(closed);
+    out.values.push_back(0);
+    return out;
+}
+
+using Cell = std::array<int, 2>;
+
+// Vertices of a grid of 8 x 8 cells, in steps of one cell along an axis or a diagonal.
+std::vector<uint32_t> vertices_along(const std::vector<Cell>& corners, bool closed) {
+    const auto sign = [](int x) { return (x > 0) - (x < 0); };
+    std::vector<uint32_t> out;
+    for (size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i) {
+        const Cell &from = corners[i], &to = corners[(i + 1) % corners.size()];
+        for (Cell at = from; at != to; at[0] += sign(to[0] - at[0]), at[1] += sign(to[1] - at[1]))
+            out.push_back(static_cast<uint32_t>(9 * at[1] + at[0]));
+    }
+    if (!closed) out.push_back(static_cast<uint32_t>(9 * corners.back()[1] + corners.back()[0]));
+    return out;
+}
+
+// [0, 1]^2 of 8 x 8 cells with the middle 2 x 2 missing.
+Soup holed_plane() {
+    Soup soup = plane(8), out{soup.positions, {}};
+    for (const Triple& t : soup.triangles) {
+        const auto is_inside = [&](int axis) {
+            const double middle =
+                (soup.positions[t[0]][axis] + soup.positions[t[1]][axis] + soup.positions[t[2]][axis]) / 3;
+            return middle > 0.375 && middle < 0.625;
+        };
+        if (!is_inside(0) || !is_inside(1)) out.triangles.push_back(t);
+    }
+    return out;
+}
+
+double farthest_off(const Mesh& mesh, const Lines& lines, const std::function<double(const Vec3&)>& off) {
+    double out = 0;
+    for (const SurfacePoint& point : lines.curves.points)
+        out = std::max(out, std::abs(off(position_of(mesh, point))));
+    return out;
+}
+
+// Straight ones, on both sides, in both directions, of either triangle's edges: along rows, columns and diagonals.
+TEST(OffsetLines, AlongEdgesOfGridsAreStraight) {
+    for (const bool woven : {false, true}) {
+        const Mesh mesh = make_mesh(woven ? ground(8, [](double, double) { return 0.0; }) : plane(8));
+        std::vector<std::vector<Cell>> ways{{{2, 4}, {6, 4}}, {{4, 2}, {4, 6}}, {{6, 4}, {2, 4}}, {{4, 6}, {4, 2}}};
+        if (!woven) ways.insert(ways.end(), {{{2, 2}, {6, 6}}, {{6, 6}, {2, 2}}});
+        for (const std::vector<Cell>& way : ways) {
+            const Vec3 from(way[0][0] / 8.0, way[0][1] / 8.0, 0), to(way[1][0] / 8.0, way[1][1] / 8.0, 0);
+            const Vec3 along = (to - from).normalized(), beside(-along.y(), along.x(), 0);
+            for (const bool left : {false, true}) {
+                const SurfaceCurves curve = curve_along(mesh, vertices_along(way, false), false, left);
+                for (const double offset : {0.03, -0.03, 0.125, -0.125, 0.25, -0.25}) {
+                    const Lines lines = lines_beside(mesh, curve, offset);
+                    ASSERT_EQ(lines.curves.curve_count(), 1u) << offset << woven << left;
+                    EXPECT_NEAR(lines.curves.values[0], (to - from).norm(), 1e-6) << offset;
+                    const auto off = [&](const Vec3& x) { return (x - from).dot(beside) - offset; };
+                    EXPECT_LT(farthest_off(mesh, lines, off), 1e-6) << offset << woven << left;
+                    EXPECT_NEAR((position_of(mesh, lines.curves.points.front()) - from).dot(along), 0, 1e-6);
+                }
+            }
+        }
+    }
+}
+
+// Across each cell from corner to corner: every point of the curve is a vertex.
+TEST(OffsetLines, ThroughVerticesAreStraight) {
+    const Mesh mesh = make_mesh(plane(8));
+    for (const bool back : {false, true}) {
+        Plan plan;
+        for (int i = 2; i <= 6; ++i) plan.push_back({i / 8.0, 1 - i / 8.0});
+        if (back) std::reverse(plan.begin(), plan.end());
+        const SurfaceCurves curve = curve_over(mesh, plan, false);
+        for (const double offset : {0.05, -0.05, 0.125, -0.25}) {
+            const Lines lines = lines_beside(mesh, curve, offset);
+            ASSERT_EQ(lines.curves.curve_count(), 1u) << offset;
+            EXPECT_NEAR(lines.curves.values[0], std::sqrt(0.5), 1e-6);
+            const double side = back ? -offset : offset;
+            const auto off = [&](const Vec3& x) { return (x.x() + x.y() - 1) / std::sqrt(2) - side; };
+            EXPECT_LT(farthest_off(mesh, lines, off), 1e-6) << offset;
+        }
+    }
+}
+
+// Within a square smaller squares, without it one with rounded corners.
+TEST(OffsetLines, OfSquaresAlongEdgesAreClosed) {
+    for (const bool woven : {false, true}) {
+        const Mesh mesh = make_mesh(woven ? ground(8, [](double, double) { return 0.0; }) : plane(8));
+        for (const bool left : {false, true}) {
+            for (const bool back : {false, true}) {
+                std::vector<Cell> square{{2, 2}, {6, 2}, {6, 6}, {2, 6}};
+                if (back) std::reverse(square.begin(), square.end());
+                const SurfaceCurves curve = curve_along(mesh, vertices_along(square, true), true, left);
+                for (const double within : {0.05, 0.125, 0.2, -0.06, -0.125}) {
+                    const Lines lines = lines_beside(mesh, curve, back ? -within : within);
+                    ASSERT_EQ(lines.curves.curve_count(), 1u) << within << woven << left << back;
+                    EXPECT_TRUE(lines.curves.closed[0]);
+                    const double length = within > 0 ? 4 * (0.5 - 2 * within) : 4 * 0.5 - 2 * M_PI * within;
+                    EXPECT_NEAR(lines.curves.values[0], length, 1e-3 * length) << within << woven << left << back;
+                    const auto off = [&](const Vec3& x) {
+                        const double dx = std::abs(x.x() - 0.5) - 0.25, dy = std::abs(x.y() - 0.5) - 0.25;
+                        return std::min(std::max(dx, dy), 0.0) + std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) +
+                               within;
+                    };
+                    EXPECT_LT(farthest_off(mesh, lines, off), 1.1 * offset_tolerance * std::abs(within));
+                }
+                EXPECT_EQ(lines_beside(mesh, curve, back ? -0.251 : 0.251).curves.curve_count(), 0u);
+            }
+        }
+    }
+}
+
+// Along a border there is one side; all of it, or the border of a hole, is a closed curve.
+TEST(OffsetLines, AlongBordersLieWithinTheSurface) {
+    const Mesh mesh = make_mesh(plane(8)), holed = make_mesh(holed_plane());
+    const SurfaceCurves side = curve_along(mesh, vertices_along({{0, 0}, {8, 0}}, false), false, true);
+    const SurfaceCurves around =
+        curve_along(mesh, vertices_along({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, true), true, true);
+    const SurfaceCurves hole =
+        curve_along(holed, vertices_along({{3, 3}, {3, 5}, {5, 5}, {5, 3}}, true), true, true);
+    for (const double offset : {0.02, 0.125, 0.3}) {
+        const Lines beside = lines_beside(mesh, side, offset), within = lines_beside(mesh, around, offset),
+                    about = lines_beside(holed, hole, offset);
+        ASSERT_EQ(beside.curves.curve_count(), 1u);
+        EXPECT_NEAR(beside.curves.values[0], 1, 1e-6);
+        EXPECT_LT(farthest_off(mesh, beside, [&](const Vec3& x) { return x.y() - offset; }), 1e-6);
+        ASSERT_EQ(within.curves.curve_count(), 1u);
+        EXPECT_NEAR(within.curves.values[0], 4 * (1 - 2 * offset), 1e-3);
+        ASSERT_EQ(about.curves.curve_count(), 1u) << offset;
+        EXPECT_TRUE(about.curves.closed[0]);
+        EXPECT_NEAR(about.curves.values[0], 4 * 0.25 + 2 * M_PI * offset, 1e-3) << offset;
+        for (const auto& [on, curve] : {std::pair{&mesh, &side}, {&mesh, &around}, {&holed, &hole}})
+            EXPECT_EQ(lines_beside(*on, *curve, -offset).curves.curve_count(), 0u);
+    }
+}
+
+// Past a hole the shortest ways bend around its corners.
+TEST(OffsetLines, BesideAHoleBendAroundIt) {
+    const Soup soup = holed_plane();
+    const Mesh mesh = make_mesh(soup);
+    for (const bool left : {false, true}) {
+        const SurfaceCurves curve = curve_along(mesh, vertices_along({{0, 2}, {8, 2}}, false), false, left);
+        for (const double offset : {0.06, 0.2, 0.5, 0.6, -0.2}) {
+            const Lines lines = lines_beside(mesh, curve, offset);
+            ASSERT_GE(lines.curves.curve_count(), 1u) << offset;
+            const auto off = [&](const Vec3& x) {
+                const double straight = std::abs(x.y() - 0.25);
+                if (x.y() < 0.625 - 1e-6 || x.x() < 0.375 || x.x() > 0.625) return straight - std::abs(offset);
+                const double aside = std::min(x.x() - 0.375, 0.625 - x.x());
+                return 0.375 + std::hypot(aside, x.y() - 0.625) - std::abs(offset);
+            };
+            EXPECT_LT(farthest_off(mesh, lines, off), 1.1 * offset_tolerance * std::abs(offset)) << offset;
+        }
+    }
+}
+
+TEST(OffsetLines, FartherThanTheSurfaceReachesAreNone) {
+    const Mesh flat = make_mesh(plane(8)), ball = make_mesh(sphere(2));
+    const SurfaceCurves straight = curve_along(flat, vertices_along({{2, 4}, {6, 4}}, false), false, true);
+    const Triple& t = ball.triangles[0];
+    const SurfaceCurves around = curve_along(ball, {t[0], t[1], t[2]}, true, true);
+    for (const double offset : {2.0, 1e3, 1e12, 1e30}) {
+        for (const double side : {1, -1}) {
+            EXPECT_EQ(lines_beside(flat, straight, side * offset).curves.curve_count(), 0u) << offset;
+            if (offset > 4) EXPECT_EQ(lines_beside(ball, around, side * offset).curves.curve_count(), 0u) << offset;
+        }
+    }
+}
+
 // Around a circle: within it nothing is farther away than its middle.
 TEST(OffsetLines, OfACircleAreCircles) {
     const Mesh mesh = make_mesh(ground(20, [](double, double) { return 0.0; }));

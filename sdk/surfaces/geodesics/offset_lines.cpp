@@ -15,6 +15,7 @@ namespace {
 constexpr double fine_edge = 0.125;        // of the offset: fronts are nearly straight along shorter ones
 constexpr double finest_edge = 0.004;      // likewise: where two fronts meet
 constexpr uint32_t most_parts = 1u << 22;  // triangles that the level may pass
+constexpr uint32_t most_rounds = 50;       // of halving edges
 constexpr uint32_t most_halvings = 10;     // of a stretch between edges
 constexpr uint32_t most_steps = 60;        // of looking for the level
 constexpr double step_tolerance = 1e-9;    // of the offset
@@ -246,7 +247,7 @@ void LevelLines::divide(const LevelPart& part, const uint32_t* middles, std::pmr
 }
 
 Task<void> divide_parts(Pace& pace, LevelLines& lines) {
-    for (;;) {
+    for (uint32_t round = 0;; ++round) {
         const size_t before = lines.nodes_.size();
         Buffer<uint32_t> middles(3 * lines.parts_.size(), pace.memory());
         {
@@ -271,7 +272,7 @@ Task<void> divide_parts(Pace& pace, LevelLines& lines) {
         std::pmr::deque<LevelPart> divided(pace.memory());
         co_await each(pace, lines.parts_.size(), Cost::hundreds_of_ns,
                       [&](uint32_t i) { lines.divide(lines.parts_[i], &middles[3 * i], divided); });
-        if (divided.size() > most_parts)
+        if (divided.size() > most_parts || round == most_rounds)
             throw Failure(FLG_ERROR_LIMIT, "desc.offset is %g: too small beside the curve's length",
                           lines.side_ == 0 ? lines.level_ : -lines.level_);
         co_await repeat(pace, Cost::some_ns, [&] {
@@ -344,9 +345,11 @@ std::optional<Weights> LevelLines::onto_level(const LevelStretch& stretch, const
     const double off = places_.at(stretch.triangle, begin).distance - level_;
     const Vec2 way = places_.place(stretch.triangle, stretch.to) - places_.place(stretch.triangle, stretch.from);
     const double length = way.norm();
+    if (std::abs(off) <= step_tolerance * level_) return begin;
     if (!(length > 0)) return std::nullopt;
     const Vec2 up = Vec2(-way.y(), way.x()) / (off < 0 ? length : -length);
     const Weights climb = places_.weights_of_way(stretch.triangle, up);
+    if (!std::isfinite(climb[0])) return std::nullopt;  // of no area
     double most = length;
     for (uint32_t k = 0; k < 3; ++k)
         if (climb[k] < 0) most = std::min(most, -begin[k] / climb[k]);
@@ -423,8 +426,11 @@ Task<void> draw_lines(Pace& pace, LevelLines& lines) {
             // Of a loop from where it comes to the wanted side.
             uint32_t start = first;
             if (loops) {
-                for (uint32_t at = first;;) {
+                uint32_t at = first;
+                for (size_t passed = 0;; ++passed) {
                     const uint32_t next = lines.crossings_[at].next;
+                    if (next == no_index || passed > lines.crossings_.size())
+                        throw Failure(FLG_ERROR_INTERNAL, "offset: a line of %zu crossings does not close", passed);
                     if (!lines.is_wanted(lines.crossings_[at].label) && lines.is_wanted(lines.crossings_[next].label)) {
                         start = at;
                         break;
