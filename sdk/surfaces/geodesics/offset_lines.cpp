@@ -18,6 +18,9 @@ constexpr uint32_t most_parts = 1u << 22;  // triangles that the level may pass
 constexpr uint32_t most_rounds = 50;       // of halving edges
 constexpr uint32_t most_halvings = 10;     // of a stretch between edges
 constexpr uint32_t most_steps = 60;        // of looking for the level
+constexpr uint32_t side_steps = 40;        // likewise for the end of a side
+constexpr uint32_t side_rounds = 2;        // of that: the way onto the level leads past it, each time less
+constexpr double side_slack = 4e-9;        // of the longest edge: where both sides are so alike, either may be nearer
 constexpr double step_tolerance = 1e-9;    // of the offset
 
 // Part of a triangle.
@@ -295,12 +298,20 @@ LevelCrossing LevelLines::find_crossing(const LevelPart* parts, const uint32_t* 
         ExactPlaces::Found least = places_.at(parts[0].triangle, crossing_place(parts[0], edges[0], at));
         if (count < 2) return least;
         const ExactPlaces::Found other = places_.at(parts[1].triangle, crossing_place(parts[1], edges[1], at));
-        return other.distance < least.distance ? other : least;
+        const std::array<double, 2> of_sides{std::min(least.of_sides[0], other.of_sides[0]),
+                                             std::min(least.of_sides[1], other.of_sides[1])};
+        if (other.distance < least.distance) least = other;
+        least.of_sides = of_sides;
+        return least;
     };
     const auto [low, high] = std::minmax(parts[0].nodes[edges[0]], parts[0].nodes[(edges[0] + 1) % 3]);
     const double at = find_level(0, nodes_[low].distance - level_, 1, nodes_[high].distance - level_,
                                  step_tolerance * level_, [&](double t) { return found_at(t).distance - level_; });
-    return {.at = at, .label = found_at(at).label};
+    const ExactPlaces::Found found = found_at(at);
+    const auto& lengths = solver_.faces().faces[parts[0].triangle].lengths;
+    const double slack = side_slack * *std::max_element(lengths.begin(), lengths.end());
+    const bool is_either = found.label < SidedSegment::beyond_end && found.of_sides[side_] <= found.distance + slack;
+    return {.at = at, .label = is_either && !is_wanted(found.label) ? SidedSegment::no_side : found.label};
 }
 
 Task<void> cross_edges(Pace& pace, LevelLines& lines) {
@@ -374,19 +385,26 @@ bool LevelLines::clip(LevelStretch& stretch) const {
     if (from == to) return from;
     uint32_t& other = from ? stretch.to_label : stretch.from_label;
     if (other == SidedSegment::no_side) return true;
-    double wanted = from ? 0 : 1, unwanted = 1 - wanted;
-    const LevelStretch whole = stretch;
-    for (uint32_t step = 0; step < most_steps; ++step) {
-        const double t = 0.5 * (wanted + unwanted);
-        const uint32_t label = places_.at(whole.triangle, between(whole.from, whole.to, t)).label;
-        if (is_wanted(label))
-            wanted = t, other = label;
-        else
-            unwanted = t;
+    LevelStretch rest = stretch;
+    Weights& end = from ? stretch.to : stretch.from;
+    bool any = false;
+    for (uint32_t round = 0; round < side_rounds; ++round) {
+        double wanted = from ? 0 : 1, unwanted = 1 - wanted;
+        for (uint32_t step = 0; step < side_steps; ++step) {
+            const double t = 0.5 * (wanted + unwanted);
+            const uint32_t label = places_.at(rest.triangle, between(rest.from, rest.to, t)).label;
+            if (is_wanted(label))
+                wanted = t, other = label;
+            else
+                unwanted = t;
+        }
+        any = any || wanted != (from ? 0 : 1);
+        const Weights across = between(rest.from, rest.to, wanted);
+        end = onto_level(rest, across).value_or(across);
+        const bool is_within = is_wanted(places_.at(rest.triangle, end).label);
+        (is_within == from ? rest.from : rest.to) = end;
     }
-    const Weights end = between(whole.from, whole.to, wanted);
-    (from ? stretch.to : stretch.from) = onto_level(whole, end).value_or(end);
-    return wanted != (from ? 0 : 1);
+    return any;
 }
 
 // The last one that waits: it is divided where its middle is off the level, or it becomes part of the line.
@@ -418,7 +436,7 @@ void LevelLines::end_line(bool closed) {
 
 Task<void> draw_lines(Pace& pace, LevelLines& lines) {
     Slice slice(Cost::microseconds);
-    constexpr uint32_t units_a_stretch = 4;
+    constexpr uint32_t units_a_stretch = 4, units_an_end = 40;
     for (const bool loops : {false, true}) {
         for (uint32_t first = 0; first < lines.crossings_.size(); ++first) {
             if (slice.is_over()) co_await pace;
@@ -454,6 +472,8 @@ Task<void> draw_lines(Pace& pace, LevelLines& lines) {
                     if (own == crossing.next) stretch.to = lines.crossing_place(part, k, lines.crossings_[own].at);
                 }
                 const bool ends = !lines.is_wanted(stretch.to_label) && stretch.to_label != SidedSegment::no_side;
+                const bool is_cut = lines.is_wanted(stretch.from_label) != lines.is_wanted(stretch.to_label);
+                if (is_cut && slice.is_over(units_an_end)) co_await pace;
                 if (lines.clip(stretch)) {
                     lines.pending_.push_back({stretch, 0});
                     while (lines.refine_next()) {
