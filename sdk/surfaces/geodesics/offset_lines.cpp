@@ -21,6 +21,7 @@ constexpr uint32_t most_steps = 60;        // of looking for the level
 constexpr uint32_t side_steps = 40;        // likewise for the end of a side
 constexpr uint32_t side_rounds = 2;        // of that: the way onto the level leads past it, each time less
 constexpr double side_slack = 4e-9;        // of the longest edge: where both sides are so alike, either may be nearer
+constexpr double sideless_length = 1e-6;   // of the offset: so short a stretch between two such places is left out
 constexpr double step_tolerance = 1e-9;    // of the offset
 
 // Part of a triangle.
@@ -310,8 +311,9 @@ LevelCrossing LevelLines::find_crossing(const LevelPart* parts, const uint32_t* 
     const ExactPlaces::Found found = found_at(at);
     const auto& lengths = solver_.faces().faces[parts[0].triangle].lengths;
     const double slack = side_slack * *std::max_element(lengths.begin(), lengths.end());
-    const bool is_either = found.label < SidedSegment::beyond_end && found.of_sides[side_] <= found.distance + slack;
-    return {.at = at, .label = is_either && !is_wanted(found.label) ? SidedSegment::no_side : found.label};
+    const bool is_either = found.label < SidedSegment::beyond_end &&
+                           std::max(found.of_sides[0], found.of_sides[1]) <= found.distance + slack;
+    return {.at = at, .label = is_either ? SidedSegment::no_side : found.label};
 }
 
 Task<void> cross_edges(Pace& pace, LevelLines& lines) {
@@ -382,6 +384,8 @@ std::optional<Weights> LevelLines::onto_level(const LevelStretch& stretch, const
 // To its part on the wanted side; false if there is none.
 bool LevelLines::clip(LevelStretch& stretch) const {
     const bool from = is_wanted(stretch.from_label), to = is_wanted(stretch.to_label);
+    if (stretch.from_label == SidedSegment::no_side && stretch.to_label == SidedSegment::no_side)
+        return is_wanted(places_.at(stretch.triangle, between(stretch.from, stretch.to, 0.5)).label);
     if (from == to) return from;
     uint32_t& other = from ? stretch.to_label : stretch.from_label;
     if (other == SidedSegment::no_side) return true;
@@ -471,6 +475,10 @@ Task<void> draw_lines(Pace& pace, LevelLines& lines) {
                     if (own == at) stretch.from = lines.crossing_place(part, k, crossing.at);
                     if (own == crossing.next) stretch.to = lines.crossing_place(part, k, lines.crossings_[own].at);
                 }
+                at = crossing.next;
+                if (stretch.from_label == SidedSegment::no_side && stretch.to_label == SidedSegment::no_side &&
+                    lines.length_of(part.triangle, stretch.from, stretch.to) <= sideless_length * lines.level_)
+                    continue;
                 const bool ends = !lines.is_wanted(stretch.to_label) && stretch.to_label != SidedSegment::no_side;
                 const bool is_cut = lines.is_wanted(stretch.from_label) != lines.is_wanted(stretch.to_label);
                 if (is_cut && slice.is_over(units_an_end)) co_await pace;
@@ -486,7 +494,6 @@ Task<void> draw_lines(Pace& pace, LevelLines& lines) {
                     is_whole = false;
                     lines.end_line(false);
                 }
-                at = crossing.next;
                 if (slice.is_over()) co_await pace;
             }
             lines.end_line(is_whole);
