@@ -320,7 +320,7 @@ Task<void> cross_edges(Pace& pace, LevelLines& lines) {
     const EdgeOrder order = co_await order_edges(pace, lines.parts_, lines.nodes_.size());
     lines.crossing_of_ = Buffer<uint32_t>(3 * lines.parts_.size(), pace.memory());
     Slice slice(Cost::microseconds);
-    constexpr uint32_t units_a_crossing = 8;
+    constexpr uint32_t units_a_crossing = 16;
     for (uint32_t i = 0; i < order.size(); ++i) {
         const uint32_t edge = order.edge(i);
         if (order.repeats(i)) {
@@ -381,11 +381,13 @@ std::optional<Weights> LevelLines::onto_level(const LevelStretch& stretch, const
     return std::nullopt;
 }
 
-// To its part on the wanted side; false if there is none.
+// To its part on the wanted side, of which one end at least is labelled; false if there is none.
 bool LevelLines::clip(LevelStretch& stretch) const {
     const bool from = is_wanted(stretch.from_label), to = is_wanted(stretch.to_label);
-    if (stretch.from_label == SidedSegment::no_side && stretch.to_label == SidedSegment::no_side)
-        return is_wanted(places_.at(stretch.triangle, between(stretch.from, stretch.to, 0.5)).label);
+    if (stretch.from_label == SidedSegment::no_side && stretch.to_label == SidedSegment::no_side) {
+        stretch.from_label = places_.at(stretch.triangle, between(stretch.from, stretch.to, 0.5)).label;
+        return is_wanted(stretch.from_label);
+    }
     if (from == to) return from;
     uint32_t& other = from ? stretch.to_label : stretch.from_label;
     if (other == SidedSegment::no_side) return true;
@@ -421,7 +423,10 @@ bool LevelLines::refine_next() {
     const double off = places_.at(whole.triangle, middle).distance - level_;
     if (std::abs(off) > offset_tolerance * level_ && next.halvings < most_halvings) {
         if (const std::optional<Weights> place = onto_level(whole, middle)) {
-            const uint32_t label = places_.at(whole.triangle, *place).label;
+            const uint32_t found = places_.at(whole.triangle, *place).label;
+            const uint32_t label = is_wanted(found)              ? found
+                                   : is_wanted(whole.from_label) ? whole.from_label
+                                                                 : whole.to_label;
             pending_.push_back({{whole.triangle, *place, whole.to, label, whole.to_label}, next.halvings + 1});
             pending_.push_back({{whole.triangle, whole.from, *place, whole.from_label, label}, next.halvings + 1});
             return true;
@@ -440,7 +445,7 @@ void LevelLines::end_line(bool closed) {
 
 Task<void> draw_lines(Pace& pace, LevelLines& lines) {
     Slice slice(Cost::microseconds);
-    constexpr uint32_t units_a_stretch = 4, units_an_end = 40;
+    constexpr uint32_t units_a_stretch = 12, units_an_end = 40;
     for (const bool loops : {false, true}) {
         for (uint32_t first = 0; first < lines.crossings_.size(); ++first) {
             if (slice.is_over()) co_await pace;
