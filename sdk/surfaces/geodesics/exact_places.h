@@ -34,6 +34,10 @@ public:
     };
     // About 10 ns for each window that enters the triangle.
     Found at(uint32_t triangle, const Weights& weights) const;
+    // What that takes, in units of Cost::some_ns.
+    uint32_t work(uint32_t triangle) const {
+        return 16 + 2 * static_cast<uint32_t>(windows_of_.of(triangle).size() + pieces_of_.of(triangle).size());
+    }
     // In the coordinates of the triangle's first edge, and back; the triangle must have an area there.
     Vec2 place(uint32_t triangle, const Weights& weights) const;
     Weights weights_of_way(uint32_t triangle, const Vec2& way) const;

@@ -256,12 +256,14 @@ Task<void> divide_parts(Pace& pace, LevelLines& lines) {
         Buffer<uint32_t> middles(3 * lines.parts_.size(), pace.memory());
         {
             const EdgeOrder order = co_await order_edges(pace, lines.parts_, before);
-            co_await each(pace, order.size(), Cost::microseconds, [&](uint32_t i) {
+            co_await each_by_work(pace, order.size(), Cost::some_ns, [&](uint32_t i) -> uint32_t {
+                constexpr uint32_t most_places = 4;
                 const uint32_t edge = order.edge(i), k = edge % 3;
                 const bool repeats = order.repeats(i);
                 const LevelPart& part = lines.parts_[edge / 3];
                 middles[edge] = repeats ? middles[order.edge(i - 1)] : no_index;
-                if (repeats ? middles[edge] == no_index : !lines.is_long(part, k)) return;
+                const uint32_t work = most_places * lines.places_.work(part.triangle);
+                if (repeats ? middles[edge] == no_index : !lines.is_long(part, k)) return work;
                 const ExactPlaces::Found found =
                     lines.places_.at(part.triangle, between(part.corners[k], part.corners[(k + 1) % 3], 0.5));
                 if (!repeats) {
@@ -270,6 +272,7 @@ Task<void> divide_parts(Pace& pace, LevelLines& lines) {
                 } else if (found.distance < lines.nodes_[middles[edge]].distance) {
                     lines.nodes_[middles[edge]] = {found.distance, found.label};
                 }
+                return work;
             });
         }
         if (lines.nodes_.size() == before) break;
@@ -320,7 +323,7 @@ Task<void> cross_edges(Pace& pace, LevelLines& lines) {
     const EdgeOrder order = co_await order_edges(pace, lines.parts_, lines.nodes_.size());
     lines.crossing_of_ = Buffer<uint32_t>(3 * lines.parts_.size(), pace.memory());
     Slice slice(Cost::microseconds);
-    constexpr uint32_t units_a_crossing = 16;
+    constexpr uint32_t units_a_crossing = 8;
     for (uint32_t i = 0; i < order.size(); ++i) {
         const uint32_t edge = order.edge(i);
         if (order.repeats(i)) {
@@ -445,7 +448,7 @@ void LevelLines::end_line(bool closed) {
 
 Task<void> draw_lines(Pace& pace, LevelLines& lines) {
     Slice slice(Cost::microseconds);
-    constexpr uint32_t units_a_stretch = 12, units_an_end = 40;
+    constexpr uint32_t units_a_stretch = 8, units_an_end = 8;
     for (const bool loops : {false, true}) {
         for (uint32_t first = 0; first < lines.crossings_.size(); ++first) {
             if (slice.is_over()) co_await pace;
