@@ -18,7 +18,7 @@ using Weights = std::array<double, 3>;
 class ExactPlaces {
 public:
     // The solver is done, its faces, windows and pieces outlive this.
-    ExactPlaces(const ExactSolver& solver, const std::pmr::deque<Window>& windows,
+    ExactPlaces(const ExactSolver& solver, const GrowingList<Window>& windows,
                 const std::pmr::deque<SidedSegment>& pieces, Memory* memory)
         : solver_(solver),
           windows_(windows),
@@ -44,7 +44,7 @@ public:
 
 private:
     const ExactSolver& solver_;
-    const std::pmr::deque<Window>& windows_;
+    const GrowingList<Window>& windows_;
     const std::pmr::deque<SidedSegment>& pieces_;
     Groups windows_of_, pieces_of_;  // by triangle
 };

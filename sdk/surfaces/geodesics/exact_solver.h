@@ -17,8 +17,6 @@
 // Lines are sources too.
 #pragma once
 
-#include <deque>
-
 #include "core/growing_list.h"
 #include "surfaces/geodesics/bucket_queue.h"
 #include "surfaces/geodesics/distance_field.h"
@@ -45,7 +43,7 @@ public:
     void allow_sources_inside() { sources_inside_ = true; }
     const ExactFaces& faces() const { return faces_; }
     // Copies the windows that may light places of the triangle they enter that are so far away, in metres.
-    void keep_windows(double distance, std::pmr::deque<Window>& out) {
+    void keep_windows(double distance, GrowingList<Window>& out) {
         kept_distance_ = distance;
         kept_ = &out;
     }
@@ -111,7 +109,7 @@ private:
     bool sources_inside_ = false;
     bool is_complete_ = false;
     double kept_distance_ = 0;
-    std::pmr::deque<Window>* kept_ = nullptr;
+    GrowingList<Window>* kept_ = nullptr;
     uint32_t targets_met_ = 0;  // the first targets that have a distance
     double furthest_target_ = 0;
     uint64_t window_count_ = 0;

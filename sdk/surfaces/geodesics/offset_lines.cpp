@@ -79,7 +79,7 @@ double find_level(double begin, double at_begin, double end, double at_end, doub
 
 // Edge k of part i is 3 i + k.
 struct EdgeOrder {
-    const std::pmr::deque<LevelPart>& parts;
+    const GrowingList<LevelPart>& parts;
     Groups by_high, by_low;
 
     uint32_t size() const { return by_low.count(); }
@@ -92,7 +92,7 @@ struct EdgeOrder {
     bool repeats(uint32_t i) const { return i > 0 && ends(edge(i)) == ends(edge(i - 1)); }
 };
 
-Task<EdgeOrder> order_edges(Pace& pace, const std::pmr::deque<LevelPart>& parts, size_t nodes) {
+Task<EdgeOrder> order_edges(Pace& pace, const GrowingList<LevelPart>& parts, size_t nodes) {
     EdgeOrder order{parts, {}, {}};
     order.by_high =
         co_await group_by(pace, 3 * parts.size(), nodes, [&](uint32_t edge) { return order.ends(edge).second; });
@@ -126,7 +126,7 @@ public:
 private:
     struct Line {
         explicit Line(Memory* memory) : stretches(memory) {}
-        std::pmr::deque<LevelStretch> stretches;
+        GrowingList<LevelStretch> stretches;
         bool closed = false;
         double length = 0;
     };
@@ -148,7 +148,7 @@ private:
     bool is_wanted(uint32_t label) const { return label < SidedSegment::beyond_end && label % 2 == side_; }
 
     bool is_long(const LevelPart& part, uint32_t k) const;
-    void divide(const LevelPart& part, const uint32_t* middles, std::pmr::deque<LevelPart>& out) const;
+    void divide(const LevelPart& part, const uint32_t* middles, GrowingList<LevelPart>& out) const;
     // Of the level along a line between two places, at one of which the distance is below it: in the triangles of both.
     LevelCrossing find_crossing(const LevelPart* parts, const uint32_t* edges, uint32_t count) const;
     Weights crossing_place(const LevelPart& part, uint32_t k, double at) const;
@@ -163,11 +163,11 @@ private:
     const ExactSolver& solver_;
     const double level_;
     const uint32_t side_;
-    std::pmr::deque<LevelPart> parts_;
-    std::pmr::deque<LevelNode> nodes_;
-    std::pmr::deque<LevelCrossing> crossings_;
+    GrowingList<LevelPart> parts_;
+    GrowingList<LevelNode> nodes_;
+    GrowingList<LevelCrossing> crossings_;
     Buffer<uint32_t> crossing_of_;  // an edge
-    std::pmr::deque<LevelStretch> line_;
+    GrowingList<LevelStretch> line_;
     std::pmr::deque<Line> lines_;
     // Stretches that are being divided, the next one last.
     struct Pending {
@@ -218,7 +218,7 @@ bool LevelLines::is_long(const LevelPart& part, uint32_t k) const {
 }
 
 // Into two, three or four.
-void LevelLines::divide(const LevelPart& part, const uint32_t* middles, std::pmr::deque<LevelPart>& out) const {
+void LevelLines::divide(const LevelPart& part, const uint32_t* middles, GrowingList<LevelPart>& out) const {
     const auto add = [&](std::array<uint32_t, 3> nodes, const Weights& a, const Weights& b, const Weights& c) {
         const LevelPart piece{part.triangle, nodes, {a, b, c}};
         if (may_pass(piece)) out.push_back(piece);
@@ -276,17 +276,12 @@ Task<void> divide_parts(Pace& pace, LevelLines& lines) {
             });
         }
         if (lines.nodes_.size() == before) break;
-        std::pmr::deque<LevelPart> divided(pace.memory());
+        GrowingList<LevelPart> divided(pace.memory());
         co_await each(pace, lines.parts_.size(), Cost::hundreds_of_ns,
                       [&](uint32_t i) { lines.divide(lines.parts_[i], &middles[3 * i], divided); });
         if (divided.size() > most_parts || round == most_rounds)
             throw Failure(FLG_ERROR_LIMIT, "desc.offset is %g: too small beside the curve's length",
                           lines.side_ == 0 ? lines.level_ : -lines.level_);
-        co_await repeat(pace, Cost::some_ns, [&] {
-            if (lines.parts_.empty()) return false;
-            lines.parts_.pop_back();
-            return true;
-        });
         lines.parts_.swap(divided);
     }
 }
@@ -534,7 +529,7 @@ Task<void> copy_lines(Pace& pace, LevelLines& lines, SurfaceCurves& out, std::pm
     Buffer<uint32_t> firsts(lines.lines_.size(), pace.memory());
     co_await each(pace, lines.lines_.size(), Cost::tens_of_ns, [&](uint32_t i) {
         const auto& stretches = lines.lines_[i].stretches;
-        const LevelStretch &front = stretches.front(), &back = stretches.back();
+        const LevelStretch &front = stretches[0], &back = stretches.back();
         firsts[i] = backwards ? piece_of(back.to_label, back.from_label) : piece_of(front.from_label, front.to_label);
         largest = std::max(largest, firsts[i]);
     });
@@ -586,7 +581,7 @@ Task<void> add_offset_lines(Pace& pace, const Mesh& mesh, const SurfaceCurves& c
     const SolveLimits limits{.distance = static_cast<float>(level + 2 * faces.longest),
                              .targets = std::pmr::vector<uint32_t>(pace.memory())};
     ExactSolver solver(mesh, faces, limits, pace.memory());
-    std::pmr::deque<Window> windows(pace.memory());
+    GrowingList<Window> windows(pace.memory());
     std::pmr::deque<SidedSegment> laid(pace.memory());
     solver.keep_windows(level, windows);
     co_await begin_exact(pace, solver);
