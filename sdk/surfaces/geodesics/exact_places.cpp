@@ -56,8 +56,7 @@ ExactPlaces::Found ExactPlaces::at(uint32_t triangle, const Weights& weights) co
     Found found{infinity, no_index, {infinity, infinity}};
     const auto take = [&found](double distance, uint32_t label) {
         if (distance < found.distance) found.distance = distance, found.label = label;
-        if (label < SidedSegment::beyond_end)
-            found.of_sides[label % 2] = std::min(found.of_sides[label % 2], distance);
+        if (label < SidedSegment::beyond_end) found.of_sides[label % 2] = std::min(found.of_sides[label % 2], distance);
     };
     for (const uint32_t i : pieces_of_.of(triangle)) {
         take((at - pieces_[i].foot_of(at)).norm(), pieces_[i].label_of(at));
