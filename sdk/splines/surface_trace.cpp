@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfaces/geodesics/offset_lines.h"
 #include "surfaces/mesh/mesh_measures.h"
 #include "surfaces/tracing/geodesic_path.h"
 #include "surfaces/tracing/straight_walk.h"
@@ -24,18 +25,6 @@ Task<double> lay_interval(Pace& pace, const Mesh& mesh, PathShortener& shortener
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.spline: no way leads over the triangles from node %u to the next", node);
     co_return path.length;
-}
-
-// Of the curve at a node.
-Vec3 direction_at(const Spline& spline, uint32_t node) {
-    const auto nodes = static_cast<uint32_t>(spline.chain.nodes.size() / 3);
-    const uint32_t before = node > 0        ? node - 1
-                            : spline.closed ? nodes - 1
-                                            : 0,
-                   after = node + 1 < nodes ? node + 1
-                           : spline.closed  ? 0
-                                            : node;
-    return Vec3(&spline.chain.nodes[size_t{3} * after]) - Vec3(&spline.chain.nodes[size_t{3} * before]);
 }
 
 }  // namespace
@@ -76,25 +65,30 @@ Task<void> trace_spline(Pace& pace, std::shared_ptr<const Spline> spline, double
     NearestPoints nearest = co_await nearest_on(pace, *spline->manifold);
     const RegionSet all(pace.memory());
     PathShortener shortener(mesh, all, pace.memory());
+    SurfaceCurves own(pace.memory());
+    SurfaceCurves& curve = offset != 0 ? own : out->curves;
     const auto nodes = static_cast<uint32_t>(spline->chain.nodes.size() / 3);
-    SurfacePath aside(pace.memory());
     double length = 0;
     SurfacePoint first{}, last{};
     for (uint32_t i = 0; i < nodes; ++i) {
-        SurfacePoint next = co_await nearest_point(pace, nearest, Vec3(&spline->chain.nodes[size_t{3} * i]));
-        if (offset != 0) {
-            co_await walk_aside(pace, mesh, next, direction_at(*spline, i), offset, aside);
-            next = aside.points.back();
-        }
+        const SurfacePoint next = co_await nearest_point(pace, nearest, Vec3(&spline->chain.nodes[size_t{3} * i]));
         if (i > 0) {
-            length += co_await lay_interval(pace, mesh, shortener, last, next, i - 1, out->curves);
+            length += co_await lay_interval(pace, mesh, shortener, last, next, i - 1, curve);
         } else {
             first = next;
         }
         last = next;
     }
-    if (spline->closed) length += co_await lay_interval(pace, mesh, shortener, last, first, nodes - 1, out->curves);
-    out->left_out = end_polyline(out->curves, spline->closed, length) ? 0 : 1;
+    if (spline->closed) length += co_await lay_interval(pace, mesh, shortener, last, first, nodes - 1, curve);
+    out->left_out = end_polyline(curve, spline->closed, length) ? 0 : 1;
+    if (offset != 0 && out->left_out == 0) {
+        pace.stage("offset");
+        std::pmr::deque<uint32_t> pieces(pace.memory());
+        co_await add_offset_lines(pace, mesh, own, offset, out->curves, pieces);
+        if (out->curves.curve_count() == 0)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.offset is %g: nowhere on that side is the surface so far from the curve", offset);
+    }
     co_await flatten_curves(pace, *out);
 }
 

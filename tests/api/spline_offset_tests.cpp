@@ -180,6 +180,38 @@ TEST(SplineOffset, OnAMeshItStaysThere) {
     }
 }
 
+// Over the triangles it is a level of the distance from the curve: to both sides, to where there is none.
+TEST(SplineOffset, OverTrianglesItIsSoFarAway) {
+    const Host host;
+    const FlgManifold torus = mesh_manifold(host, torus_mesh(96, 48, 2, 0.5));
+    std::vector<double> points;
+    for (int i = 0; i < 12; ++i)
+        points.insert(points.end(), {2.5 * std::cos(M_PI * i / 6), 2.5 * std::sin(M_PI * i / 6), 0});
+    FlgSplineDesc desc = spline_desc(torus, points);
+    desc.closed = 1;
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    FlgSplineTraceDesc trace = flgSplineTraceDefaults();
+    trace.spline = made.spline;
+    FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
+    for (const double side : {1.0, -1.0}) {
+        FlgSurfaceCurves curves{};
+        trace.offset = side * 0.6;
+        ASSERT_EQ(flgSplineTrace(host.context, &trace, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
+        host.finish();
+        ASSERT_EQ(flgSurfaceCurvesGetView(host.context, curves, &view), FLG_OK) << flgErrorGetMessage();
+        ASSERT_EQ(view.curve_count, 1u);
+        EXPECT_EQ(view.curve_flags[0], FLG_CURVE_CLOSED);
+        EXPECT_NEAR(view.curve_values[0], 2 * M_PI * (2 + 0.5 * std::cos(1.2)), 2e-2);
+    }
+    trace.offset = 100;
+    FlgSurfaceCurves curves{};
+    ASSERT_EQ(flgSplineTrace(host.context, &trace, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
+    host.finish();
+    expect_failure(flgSurfaceCurvesGetView(host.context, curves, &view), FLG_ERROR_INVALID_ARGUMENT,
+                   "desc.offset is 100: nowhere on that side is the surface so far from the curve");
+}
+
 // y = x^2, whose least radius is 1/2: beside it at distance d > 1/2 the two branches meet on the axis, at 1/4 + d^2.
 TEST(SplineOffset, LoopsAreCutWhereTheyCross) {
     const Host host;

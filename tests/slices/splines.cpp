@@ -97,6 +97,11 @@ void manifold_of_mesh(WatchedHost& host, uint32_t size) {
     host.call("flgSplineTrace", flgSplineTrace, &trace, &curves, host.job());
     host.made("flgSurfaceCurvesRelease", flgSurfaceCurvesRelease, curves);
     host.finish();
+    trace.offset = 0.2;
+    FlgSurfaceCurves beside{};
+    host.call("flgSplineTrace", flgSplineTrace, &trace, &beside, host.job());
+    host.made("flgSurfaceCurvesRelease", flgSurfaceCurvesRelease, beside);
+    host.finish();
 }
 
 void manifold_of_points(WatchedHost& host, uint32_t size) {

@@ -147,8 +147,9 @@ Drawn nodes_of(const FlgSplineView& view) {
     return out;
 }
 
-// Over the triangles, wherever it passes from one to another.
-Drawn trace_of(Session& session, const MeshSurface& mesh, const Made& made, double offset, Report& report) {
+// Over the triangles, wherever it passes from one to another; beside a curve there may be more than one.
+std::vector<Drawn> trace_of(Session& session, const MeshSurface& mesh, const Made& made, double offset,
+                            Report& report) {
     FlgSplineTraceDesc desc;
     flgSplineTraceDescInit(&desc, sizeof desc);
     desc.spline = made.spline;
@@ -159,16 +160,21 @@ Drawn trace_of(Session& session, const MeshSurface& mesh, const Made& made, doub
     session.finish({{{job, made.subject}}}, report);
     const FlgSurfaceCurvesView view = view_of(session.context(), traced);
     const FlgSurfaceView surface = mesh.view();
-    Drawn out{.places = {}, .normals = {}, .closed = made.view.closed != 0, .origin = origin_of(*surface.mesh)};
-    for (uint32_t i = 0; view.curve_count > 0 && i < view.curve_offsets[1]; ++i) {
-        const FlgSurfacePoint& point = view.points[i];
-        const uint32_t* const corners = surface.mesh->triangles + size_t{3} * point.triangle;
-        const double u = point.u, v = point.v;
-        out.places.push_back((1 - u - v) * vertex_at(*surface.mesh, corners[0]) +
-                             u * vertex_at(*surface.mesh, corners[1]) + v * vertex_at(*surface.mesh, corners[2]));
-        out.normals.push_back(unit(area_vector(*surface.mesh, point.triangle)));
+    std::vector<Drawn> all;
+    for (uint32_t c = 0; c < view.curve_count; ++c) {
+        Drawn& out = all.emplace_back();
+        out.closed = (view.curve_flags[c] & FLG_CURVE_CLOSED) != 0;
+        out.origin = origin_of(*surface.mesh);
+        for (uint32_t i = view.curve_offsets[c]; i < view.curve_offsets[c + 1]; ++i) {
+            const FlgSurfacePoint& point = view.points[i];
+            const uint32_t* const corners = surface.mesh->triangles + size_t{3} * point.triangle;
+            const double u = point.u, v = point.v;
+            out.places.push_back((1 - u - v) * vertex_at(*surface.mesh, corners[0]) +
+                                 u * vertex_at(*surface.mesh, corners[1]) + v * vertex_at(*surface.mesh, corners[2]));
+            out.normals.push_back(unit(area_vector(*surface.mesh, point.triangle)));
+        }
     }
-    return out;
+    return all;
 }
 
 Drawn curve_of(const FlgCurveSetView& view) {
@@ -287,11 +293,11 @@ void describe(const Options& options, Report& report) {
 }
 
 // The curve itself, one beside it, or one over the triangles.
-Drawn drawn_of(Session& session, const Options& options, const SplineManifold& manifold, const Made& made,
-               Report& report) {
+std::vector<Drawn> drawn_of(Session& session, const Options& options, const SplineManifold& manifold, const Made& made,
+                            Report& report) {
     if (options.on_mesh) return trace_of(session, *manifold.mesh, made, options.beside.left, report);
-    if (!options.beside.is_wanted()) return nodes_of(made.view);
-    return curve_of(curve_beside(session, options.beside, made.spline, made.subject, report));
+    if (!options.beside.is_wanted()) return {nodes_of(made.view)};
+    return {curve_of(curve_beside(session, options.beside, made.spline, made.subject, report))};
 }
 
 void run_cables(Session& session, const Options& options, const SpaceLines& lines, FlgObstacles obstacles,
@@ -338,8 +344,10 @@ void run_spline(const Options& options, const CommonOptions& common) {
         all.push_back(make_one(session, options, manifold, obstacles ? &*obstacles : nullptr, lines, line, report));
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
-        drawn.push_back(drawn_of(session, options, manifold, all.back(), report));
-        nodes += static_cast<uint32_t>(drawn.back().places.size());
+        for (Drawn& one : drawn_of(session, options, manifold, all.back(), report)) {
+            nodes += static_cast<uint32_t>(one.places.size());
+            drawn.push_back(std::move(one));
+        }
         moved = std::max(moved, view.largest_moved);
         held += view.held_count;
         energy += view.energy;

@@ -485,8 +485,8 @@ typedef struct FlgSplineTraceDesc {
     uint32_t reserved;
     const FlgJobOptions* job;
     FlgSpline spline; /* on the manifold of a mesh */
-    double offset;    /* metres to the left of the curve, seen from outside, over the triangles: each node goes straight
-                         that far, or to the border. Larger than a bend's radius it makes loops there. Default 0 */
+    double offset;    /* metres to the left of the curve, seen from outside: all places of the triangles so far from it
+                         on that side, within a thousandth, in one curve or more; none fails. Default 0 */
 } FlgSplineTraceDesc;
 
 FLG_API FlgResult flgSplineTraceDescInit(FlgSplineTraceDesc* desc, uint32_t struct_size);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/geodesics/exact_solver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -240,6 +241,7 @@ void ExactSolver::cross_triangle(Window window) {
     if (!window.trim(at_start, at_end, face.lengths[k], slack)) return;
     window.narrow_run = is_narrow(face, k) ? window.narrow_run + 1 : 0;
     if (window.narrow_run > faces_.narrow_count) return;
+    if (kept_) keep(window, face);
 
     const Entry entry(face, window);
     const Vertex& apex = vertices_[face.vertices[entry.previous]];
@@ -253,6 +255,12 @@ void ExactSolver::cross_triangle(Window window) {
     if (left && right) split(entry, distance, left, right);
     if (left) pass_left(entry);
     if (right) pass_right(entry);
+}
+
+void ExactSolver::keep(const Window& window, const ExactFace& face) {
+    const double furthest = std::max(window.distance_at({window.begin, 0}), window.distance_at({window.end, 0})) +
+                            *std::max_element(face.lengths.begin(), face.lengths.end());
+    if (window.least_distance() <= kept_distance_ && kept_distance_ <= furthest) kept_->push_back(window);
 }
 
 // One angle, one split. The way to the corner from the window that holds it crosses, on one side, all that this one

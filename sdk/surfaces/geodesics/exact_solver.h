@@ -42,6 +42,11 @@ public:
     // Some sources are no vertices.
     void allow_sources_inside() { sources_inside_ = true; }
     const ExactFaces& faces() const { return faces_; }
+    // Copies the windows that may light places of the triangle they enter that are so far away, in metres.
+    void keep_windows(double distance, GrowingList<Window>& out) {
+        kept_distance_ = distance;
+        kept_ = &out;
+    }
 
     // ---- after ----
 
@@ -78,6 +83,7 @@ private:
     uint32_t place_in_ring(double distance);
     struct Entry;
     void cross_triangle(Window window);
+    void keep(const Window& window, const ExactFace& face);
     void split(const Entry& entry, double distance, bool& left, bool& right);
     void pass_left(const Entry& entry);
     void pass_right(const Entry& entry);
@@ -102,6 +108,8 @@ private:
     bool any_beyond_ring_ = false;
     bool sources_inside_ = false;
     bool is_complete_ = false;
+    double kept_distance_ = 0;
+    GrowingList<Window>* kept_ = nullptr;
     uint32_t targets_met_ = 0;  // the first targets that have a distance
     double furthest_target_ = 0;
     uint64_t window_count_ = 0;

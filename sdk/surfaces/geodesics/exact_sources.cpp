@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/geodesics/exact_sources.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "runtime/each.h"
@@ -58,6 +59,19 @@ Vec2 direction_to(const Layout& layout, uint32_t k, const Vec2& place) {
 
 }  // namespace
 
+Vec2 SidedSegment::foot_of(const Vec2& place) const {
+    const Vec2 way = to - from;
+    const double square = way.squaredNorm();
+    return from + (square > 0 ? std::clamp((place - from).dot(way) / square, 0.0, 1.0) : 0) * way;
+}
+
+uint32_t SidedSegment::label_of(const Vec2& place) const {
+    const Vec2 way = to - from;
+    if (begins && (place - from).dot(way) < 0) return beyond_end;
+    if (ends && (place - to).dot(way) > 0) return beyond_end;
+    return 2 * piece + (cross(way, place - from) >= 0 ? 0 : 1);
+}
+
 void ExactSources::add_point(const SurfacePoint& point, uint32_t label) {
     if (!within_.contains(mesh_.regions[point.triangle])) return;
     const ExactFace& face = solver_.faces().faces[point.triangle];
@@ -72,7 +86,7 @@ void ExactSources::add_point(const SurfacePoint& point, uint32_t label) {
         solver_.reach(3 * point.triangle + k, distance, direction_to(layout, k, place), label);
     }
     solver_.allow_sources_inside();
-    shine_around(point.triangle, place, Vec2::Zero(), label);
+    shine_around(point.triangle, place, Vec2::Zero(), Vec2::Zero(), label);
 }
 
 void ExactSources::add_segment(const SurfacePoint& begin, const SurfacePoint& end, uint32_t label) {
@@ -98,8 +112,41 @@ void ExactSources::add_segment(const SurfacePoint& begin, const SurfacePoint& en
     solver_.allow_sources_inside();
     shine_straight(triangle, from, to, label);
     shine_straight(triangle, to, from, label);
-    shine_around(triangle, from, -along, label);
-    shine_around(triangle, to, along, label);
+    shine_around(triangle, from, -along, Vec2::Zero(), label);
+    shine_around(triangle, to, along, Vec2::Zero(), label);
+}
+
+SidedSegment ExactSources::add_sided(const SurfacePoint& begin, const SurfacePoint& end, SidedSegment labels) {
+    constexpr double inwards = 1e-9;  // of the way to the triangle's middle
+    SidedSegment out = labels;
+    const uint32_t triangle = out.triangle = begin.triangle;
+    const ExactFace& face = solver_.faces().faces[triangle];
+    const Layout layout(face);
+    const Vec2 middle = (layout.corners[0] + layout.corners[1] + layout.corners[2]) / 3;
+    const Vec2 to = end.triangle == triangle ? layout(end) : layout(mesh_, triangle, position_of(mesh_, end));
+    out.from = layout(begin) + inwards * (middle - layout(begin));
+    out.to = to + inwards * (middle - to);
+    for (uint32_t k = 0; k < 3; ++k) {
+        const Vec2& corner = layout.corners[k];
+        const Vec2 foot = out.foot_of(corner);
+        const double distance = (corner - foot).norm();
+        const bool is_on = distance <= 2 * inwards * (middle - corner).norm();
+        solver_.reach(3 * triangle + k, distance, direction_to(layout, k, foot),
+                      is_on ? SidedSegment::no_side : out.label_of(corner));
+    }
+    solver_.allow_sources_inside();
+    const Vec2 way = out.to - out.from;
+    const double length = way.norm();
+    if (!(length > 0)) return out;
+    const Vec2 along = way / length, left(-along.y(), along.x());
+    const uint32_t on_left = 2 * out.piece, on_right = on_left + 1;
+    shine_straight(triangle, out.from, out.to, on_left);
+    shine_straight(triangle, out.to, out.from, on_right);
+    shine_around(triangle, out.from, -along, left, out.begins ? SidedSegment::beyond_end : on_left);
+    shine_around(triangle, out.from, -along, -left, out.begins ? SidedSegment::beyond_end : on_right);
+    shine_around(triangle, out.to, along, left, out.ends ? SidedSegment::beyond_end : on_left);
+    shine_around(triangle, out.to, along, -left, out.ends ? SidedSegment::beyond_end : on_right);
+    return out;
 }
 
 void ExactSources::add_edge(Corner corner, uint32_t label) {
@@ -150,8 +197,9 @@ void ExactSources::shine_straight(uint32_t triangle, const Vec2& begin, const Ve
     }
 }
 
-// From a place in the triangle, to what lies `beyond` it; no direction: all around.
-void ExactSources::shine_around(uint32_t triangle, const Vec2& place, const Vec2& beyond, uint32_t label) {
+// From a place in the triangle, to what lies `beyond` and `beside` it; no direction: all around.
+void ExactSources::shine_around(uint32_t triangle, const Vec2& place, const Vec2& beyond, const Vec2& beside,
+                                uint32_t label) {
     const ExactFace& face = solver_.faces().faces[triangle];
     const Layout layout(face);
     for (uint32_t k = 0; k < 3; ++k) {
@@ -167,7 +215,10 @@ void ExactSources::shine_around(uint32_t triangle, const Vec2& place, const Vec2
                       .edge = face.across[k],
                       .label = label,
                       .narrow_run = 0};
-        if (!on_edge) clip(window, beyond.dot(seen.start - place), beyond.dot(seen.along));
+        if (!on_edge) {
+            clip(window, beyond.dot(seen.start - place), beyond.dot(seen.along));
+            clip(window, beside.dot(seen.start - place), beside.dot(seen.along));
+        }
         solver_.send(window);
     }
 }

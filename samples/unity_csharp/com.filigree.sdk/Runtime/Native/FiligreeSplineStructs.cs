@@ -536,8 +536,8 @@ namespace Filigree
         /// <summary>on the manifold of a mesh</summary>
         public FlgSpline spline;
         /// <summary>
-        /// metres to the left of the curve, seen from outside, over the triangles: each node goes straight that far, or
-        /// to the border. Larger than a bend's radius it makes loops there. Default 0
+        /// metres to the left of the curve, seen from outside: all places of the triangles so far from it on that side,
+        /// within a thousandth, in one curve or more; none fails. Default 0
         /// </summary>
         public double offset;
     }
