@@ -29,7 +29,7 @@ struct Strand {
     Pace pace;
     Task<void> root;
     const void* kind = nullptr;  // the same of all tasks of one function
-    Fork* member_of = nullptr;  // the fork it is a branch of; null for a job's first strand
+    Fork* member_of = nullptr;   // the fork it is a branch of; null for a job's first strand
     // In a ready queue, if it is in one.
     ReadyQueue* queue = nullptr;
     Strand *next = nullptr, *previous = nullptr;
