@@ -251,8 +251,7 @@ Soup holed_plane() {
 
 double farthest_off(const Mesh& mesh, const Lines& lines, const std::function<double(const Vec3&)>& off) {
     double out = 0;
-    for (const SurfacePoint& point : lines.curves.points)
-        out = std::max(out, std::abs(off(position_of(mesh, point))));
+    for (const SurfacePoint& point : lines.curves.points) out = std::max(out, std::abs(off(position_of(mesh, point))));
     return out;
 }
 
@@ -331,10 +330,8 @@ TEST(OffsetLines, OfSquaresAlongEdgesAreClosed) {
 TEST(OffsetLines, AlongBordersLieWithinTheSurface) {
     const Mesh mesh = make_mesh(plane(8)), holed = make_mesh(holed_plane());
     const SurfaceCurves side = curve_along(mesh, vertices_along({{0, 0}, {8, 0}}, false), false, true);
-    const SurfaceCurves around =
-        curve_along(mesh, vertices_along({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, true), true, true);
-    const SurfaceCurves hole =
-        curve_along(holed, vertices_along({{3, 3}, {3, 5}, {5, 5}, {5, 3}}, true), true, true);
+    const SurfaceCurves around = curve_along(mesh, vertices_along({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, true), true, true);
+    const SurfaceCurves hole = curve_along(holed, vertices_along({{3, 3}, {3, 5}, {5, 5}, {5, 3}}, true), true, true);
     for (const double offset : {0.02, 0.125, 0.3}) {
         const Lines beside = lines_beside(mesh, side, offset), within = lines_beside(mesh, around, offset),
                     about = lines_beside(holed, hole, offset);
