@@ -31,7 +31,8 @@ Task<double> lay_interval(Pace& pace, const Mesh& mesh, PathShortener& shortener
 
 Task<SurfacePoint> nearest_point(Pace& pace, NearestPoints& nearest, Vec3 place) {
     nearest.begin(place);
-    while (!nearest.find(find_chunk)) co_await pace;
+    do co_await pace;
+    while (!nearest.find(find_chunk));
     co_return nearest.found();
 }
 

@@ -352,8 +352,8 @@ typedef struct FlgJobStatus {
     float busy_us;          /* time spent on it, over all threads */
     float max_slice_us;     /* its longest slice of uninterrupted work so far */
     FlgJobWait wait;        /* for what it waits, now */
-    float remaining_us;     /* work that is left, by what it took so far, or as long as it tells no share of it, by what the
-                             * last jobs of its kind took in this context; negative: unknown */
+    float remaining_us;     /* work that is left, by what it took so far; of a job that tells no share of its work by
+                             * what the last of its kind took in this context; negative: unknown */
     FlgJob waits_for;       /* the first job that it waits for; null: none, or one without a handle */
     float late_us;          /* from its deadline to the tick that published it, or to the last tick; 0: not late */
     uint32_t reserved;

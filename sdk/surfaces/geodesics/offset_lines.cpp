@@ -31,11 +31,6 @@ struct LevelPart {
     std::array<Weights, 3> corners;
 };
 
-struct LevelNode {
-    double distance;
-    uint32_t label;
-};
-
 // Where the level crosses an edge, and the part that it enters there: no_index at an end.
 struct LevelCrossing {
     double at;  // of the edge, from its lower node
@@ -57,25 +52,42 @@ Weights between(const Weights& a, const Weights& b, double t) {
     return out;
 }
 
-// The Illinois method.
-template <class Height>
-double find_level(double begin, double at_begin, double end, double at_end, double tolerance, const Height& height) {
-    int kept = 0;
-    for (uint32_t step = 0; step < most_steps && std::abs(end - begin) > 0; ++step) {
-        const double t = (begin * at_end - end * at_begin) / (at_end - at_begin), at_t = height(t);
-        if (std::abs(at_t) <= tolerance) return t;
-        if ((at_t < 0) == (at_begin < 0)) {
-            begin = t, at_begin = at_t;
-            if (kept == 1) at_end *= 0.5;
-            kept = 1;
+// Where a height is 0, by the Illinois method: between two places, at one of which it is below.
+//
+//     while (search.asks()) search.take(height(search.at));
+class LevelSearch {
+public:
+    LevelSearch(double begin, double at_begin, double end, double at_end, double tolerance)
+        : begin_(begin), at_begin_(at_begin), end_(end), at_end_(at_end), tolerance_(tolerance) {}
+
+    double at = 0;  // the place that is asked for, or at last found
+
+    bool asks() {
+        if (is_found_) return false;
+        is_found_ = step_++ == most_steps || !(std::abs(end_ - begin_) > 0);
+        at = is_found_ ? 0.5 * (begin_ + end_) : (begin_ * at_end_ - end_ * at_begin_) / (at_end_ - at_begin_);
+        return !is_found_;
+    }
+    void take(double height) {
+        if (std::abs(height) <= tolerance_) {
+            is_found_ = true;
+        } else if ((height < 0) == (at_begin_ < 0)) {
+            begin_ = at, at_begin_ = height;
+            if (kept_ == 1) at_end_ *= 0.5;
+            kept_ = 1;
         } else {
-            end = t, at_end = at_t;
-            if (kept == -1) at_begin *= 0.5;
-            kept = -1;
+            end_ = at, at_end_ = height;
+            if (kept_ == -1) at_begin_ *= 0.5;
+            kept_ = -1;
         }
     }
-    return 0.5 * (begin + end);
-}
+
+private:
+    double begin_, at_begin_, end_, at_end_, tolerance_;
+    int kept_ = 0;
+    uint32_t step_ = 0;
+    bool is_found_ = false;
+};
 
 // Edge k of part i is 3 i + k.
 struct EdgeOrder {
@@ -142,21 +154,29 @@ private:
     bool may_pass(const LevelPart& part) const {
         const double longest = std::max({length_of(part, 0), length_of(part, 1), length_of(part, 2)});
         return std::any_of(part.nodes.begin(), part.nodes.end(),
-                           [&](uint32_t node) { return may_pass(nodes_[node].distance, longest); });
+                           [&](uint32_t node) { return may_pass(nodes_[node], longest); });
     }
-    bool is_above(uint32_t node) const { return nodes_[node].distance >= level_; }
+    bool is_above(uint32_t node) const { return nodes_[node] >= level_; }
     bool is_wanted(uint32_t label) const { return label < SidedSegment::beyond_end && label % 2 == side_; }
 
     bool is_long(const LevelPart& part, uint32_t k) const;
     void divide(const LevelPart& part, const uint32_t* middles, GrowingList<LevelPart>& out) const;
-    // Of the level along a line between two places, at one of which the distance is below it: in the triangles of both.
-    LevelCrossing find_crossing(const LevelPart* parts, const uint32_t* edges, uint32_t count) const;
     Weights crossing_place(const LevelPart& part, uint32_t k, double at) const;
-    void add_stretch(const LevelStretch& stretch);
-    std::optional<Weights> onto_level(const LevelStretch& stretch, const Weights& begin) const;
-    bool clip(LevelStretch& stretch) const;
-    bool refine_next();
     void end_line(bool closed);
+
+    // Each place that these ask for takes what its triangle has windows: slices count these, in Cost::some_ns.
+    bool is_over(Slice& slice, uint32_t triangle) const { return slice.is_over(places_.work(triangle)); }
+    // Of the level along a line between two places, at one of which the distance is below it: in the triangles of both.
+    struct Sides {
+        LevelPart parts[2];
+        uint32_t edges[2];
+        uint32_t count;
+    };
+    static Task<LevelCrossing> find_crossing(Pace& pace, Slice& slice, const LevelLines& lines, Sides sides);
+    static Task<std::optional<Weights>> onto_level(Pace& pace, Slice& slice, const LevelLines& lines,
+                                                   LevelStretch stretch, Weights begin);
+    static Task<bool> clip(Pace& pace, Slice& slice, const LevelLines& lines, LevelStretch& stretch);
+    static Task<void> refine(Pace& pace, Slice& slice, LevelLines& lines, LevelStretch stretch);
 
     const Mesh& mesh_;
     const ExactPlaces& places_;
@@ -164,7 +184,7 @@ private:
     const double level_;
     const uint32_t side_;
     GrowingList<LevelPart> parts_;
-    GrowingList<LevelNode> nodes_;
+    GrowingList<double> nodes_;  // their distances
     GrowingList<LevelCrossing> crossings_;
     Buffer<uint32_t> crossing_of_;  // an edge
     GrowingList<LevelStretch> line_;
@@ -192,7 +212,7 @@ Task<void> choose_triangles(Pace& pace, LevelLines& lines) {
             const uint32_t vertex = node;
             if (node_of[vertex] == no_index) {
                 node_of[vertex] = static_cast<uint32_t>(lines.nodes_.size());
-                lines.nodes_.push_back({lines.solver_.distance(vertex), lines.solver_.label(vertex)});
+                lines.nodes_.push_back(lines.solver_.distance(vertex));
             }
             node = node_of[vertex];
         }
@@ -205,7 +225,7 @@ bool LevelLines::is_long(const LevelPart& part, uint32_t k) const {
     const double length = length_of(part, k);
     if (!(length > finest_edge * level_)) return false;
     const uint32_t from = part.nodes[k], to = part.nodes[(k + 1) % 3];
-    const double off = std::abs(nodes_[from].distance - level_), to_off = std::abs(nodes_[to].distance - level_);
+    const double off = std::abs(nodes_[from] - level_), to_off = std::abs(nodes_[to] - level_);
     const bool above = is_above(from);
     if (above != is_above(to)) return length > fine_edge * level_ && std::min(off, to_off) <= length;
     if (off + to_off >= length) return false;
@@ -264,13 +284,13 @@ Task<void> divide_parts(Pace& pace, LevelLines& lines) {
                 middles[edge] = repeats ? middles[order.edge(i - 1)] : no_index;
                 const uint32_t work = most_places * lines.places_.work(part.triangle);
                 if (repeats ? middles[edge] == no_index : !lines.is_long(part, k)) return work;
-                const ExactPlaces::Found found =
-                    lines.places_.at(part.triangle, between(part.corners[k], part.corners[(k + 1) % 3], 0.5));
+                const Weights middle = between(part.corners[k], part.corners[(k + 1) % 3], 0.5);
+                const double distance = lines.places_.at(part.triangle, middle).distance;
                 if (!repeats) {
                     middles[edge] = static_cast<uint32_t>(lines.nodes_.size());
-                    lines.nodes_.push_back({found.distance, found.label});
-                } else if (found.distance < lines.nodes_[middles[edge]].distance) {
-                    lines.nodes_[middles[edge]] = {found.distance, found.label};
+                    lines.nodes_.push_back(distance);
+                } else if (distance < lines.nodes_[middles[edge]]) {
+                    lines.nodes_[middles[edge]] = distance;
                 }
                 return work;
             });
@@ -292,35 +312,47 @@ Weights LevelLines::crossing_place(const LevelPart& part, uint32_t k, double at)
     return between(part.corners[rises ? k : next], part.corners[rises ? next : k], at);
 }
 
-LevelCrossing LevelLines::find_crossing(const LevelPart* parts, const uint32_t* edges, uint32_t count) const {
+Task<LevelCrossing> LevelLines::find_crossing(Pace& pace, Slice& slice, const LevelLines& lines, Sides sides) {
+    const LevelPart* const parts = sides.parts;
+    const uint32_t* const edges = sides.edges;
     const auto found_at = [&](double at) {
-        ExactPlaces::Found least = places_.at(parts[0].triangle, crossing_place(parts[0], edges[0], at));
-        if (count < 2) return least;
-        const ExactPlaces::Found other = places_.at(parts[1].triangle, crossing_place(parts[1], edges[1], at));
+        const Weights place = lines.crossing_place(parts[0], edges[0], at);
+        ExactPlaces::Found least = lines.places_.at(parts[0].triangle, place);
+        if (sides.count < 2) return least;
+        const Weights from_other = lines.crossing_place(parts[1], edges[1], at);
+        const ExactPlaces::Found other = lines.places_.at(parts[1].triangle, from_other);
         const std::array<double, 2> of_sides{std::min(least.of_sides[0], other.of_sides[0]),
                                              std::min(least.of_sides[1], other.of_sides[1])};
         if (other.distance < least.distance) least = other;
         least.of_sides = of_sides;
         return least;
     };
+    const uint32_t work = lines.places_.work(parts[0].triangle) + lines.places_.work(parts[1].triangle);
     const auto [low, high] = std::minmax(parts[0].nodes[edges[0]], parts[0].nodes[(edges[0] + 1) % 3]);
-    const double at = find_level(0, nodes_[low].distance - level_, 1, nodes_[high].distance - level_,
-                                 step_tolerance * level_, [&](double t) { return found_at(t).distance - level_; });
-    const ExactPlaces::Found found = found_at(at);
-    const auto& lengths = solver_.faces().faces[parts[0].triangle].lengths;
+    LevelSearch search(0, lines.nodes_[low] - lines.level_, 1, lines.nodes_[high] - lines.level_,
+                       step_tolerance * lines.level_);
+    while (search.asks()) {
+        search.take(found_at(search.at).distance - lines.level_);
+        if (slice.is_over(work)) co_await pace;
+    }
+    const ExactPlaces::Found found = found_at(search.at);
+    const auto& lengths = lines.solver_.faces().faces[parts[0].triangle].lengths;
     const double slack = side_slack * *std::max_element(lengths.begin(), lengths.end());
     const bool is_either = found.label < SidedSegment::beyond_end &&
                            std::max(found.of_sides[0], found.of_sides[1]) <= found.distance + slack;
-    return {.at = at, .label = is_either ? SidedSegment::no_side : found.label};
+    LevelCrossing crossing;
+    crossing.at = search.at;
+    crossing.label = is_either ? SidedSegment::no_side : found.label;
+    co_return crossing;
 }
 
 Task<void> cross_edges(Pace& pace, LevelLines& lines) {
     const EdgeOrder order = co_await order_edges(pace, lines.parts_, lines.nodes_.size());
     lines.crossing_of_ = Buffer<uint32_t>(3 * lines.parts_.size(), pace.memory());
-    Slice slice(Cost::microseconds);
-    constexpr uint32_t units_a_crossing = 8;
+    Slice slice(Cost::some_ns);
     for (uint32_t i = 0; i < order.size(); ++i) {
         const uint32_t edge = order.edge(i);
+        if (slice.is_over()) co_await pace;
         if (order.repeats(i)) {
             lines.crossing_of_[edge] = lines.crossing_of_[order.edge(i - 1)];
         } else if (const auto [low, high] = order.ends(edge); lines.is_above(low) == lines.is_above(high)) {
@@ -328,11 +360,11 @@ Task<void> cross_edges(Pace& pace, LevelLines& lines) {
         } else {
             const bool has_two = i + 1 < order.size() && order.repeats(i + 1);
             const uint32_t other = has_two ? order.edge(i + 1) : edge;
-            const LevelPart parts[2] = {lines.parts_[edge / 3], lines.parts_[other / 3]};
-            const uint32_t edges[2] = {edge % 3, other % 3};
+            const LevelLines::Sides sides{
+                {lines.parts_[edge / 3], lines.parts_[other / 3]}, {edge % 3, other % 3}, has_two ? 2u : 1u};
             lines.crossing_of_[edge] = static_cast<uint32_t>(lines.crossings_.size());
-            lines.crossings_.push_back(lines.find_crossing(parts, edges, has_two ? 2 : 1));
-            if (slice.is_over(units_a_crossing)) co_await pace;
+            const LevelCrossing crossing = co_await LevelLines::find_crossing(pace, slice, lines, sides);
+            lines.crossings_.push_back(crossing);
         }
     }
     // Higher distances lie on the left.
@@ -352,43 +384,54 @@ Task<void> cross_edges(Pace& pace, LevelLines& lines) {
 }
 
 // From a place of a stretch straight across it to the level, if the triangle goes so far.
-std::optional<Weights> LevelLines::onto_level(const LevelStretch& stretch, const Weights& begin) const {
-    const double off = places_.at(stretch.triangle, begin).distance - level_;
-    const Vec2 way = places_.place(stretch.triangle, stretch.to) - places_.place(stretch.triangle, stretch.from);
+Task<std::optional<Weights>> LevelLines::onto_level(Pace& pace, Slice& slice, const LevelLines& lines,
+                                                    LevelStretch stretch, Weights begin) {
+    const ExactPlaces& places = lines.places_;
+    const uint32_t triangle = stretch.triangle;
+    const double tolerance = step_tolerance * lines.level_;
+    const double off = places.at(triangle, begin).distance - lines.level_;
+    const Vec2 way = places.place(triangle, stretch.to) - places.place(triangle, stretch.from);
     const double length = way.norm();
-    if (std::abs(off) <= step_tolerance * level_) return begin;
-    if (!(length > 0)) return std::nullopt;
+    if (std::abs(off) <= tolerance) co_return begin;
+    if (!(length > 0)) co_return std::nullopt;
     const Vec2 up = Vec2(-way.y(), way.x()) / (off < 0 ? length : -length);
-    const Weights climb = places_.weights_of_way(stretch.triangle, up);
-    if (!std::isfinite(climb[0])) return std::nullopt;  // of no area
+    const Weights climb = places.weights_of_way(triangle, up);
+    if (!std::isfinite(climb[0])) co_return std::nullopt;  // of no area
     double most = length;
     for (uint32_t k = 0; k < 3; ++k)
         if (climb[k] < 0) most = std::min(most, -begin[k] / climb[k]);
     const auto place_at = [&](double t) {
         return Weights{begin[0] + t * climb[0], begin[1] + t * climb[1], begin[2] + t * climb[2]};
     };
-    const auto height_at = [&](double t) { return places_.at(stretch.triangle, place_at(t)).distance - level_; };
     double near = 0, at_near = off;
     for (double far = std::abs(off); near < most; far *= 2) {
         far = std::min(far, most);
-        const double at_far = height_at(far);
-        if ((at_far < 0) != (off < 0))
-            return place_at(find_level(near, at_near, far, at_far, step_tolerance * level_, height_at));
+        const double at_far = places.at(triangle, place_at(far)).distance - lines.level_;
+        if (lines.is_over(slice, triangle)) co_await pace;
+        if ((at_far < 0) != (off < 0)) {
+            LevelSearch search(near, at_near, far, at_far, tolerance);
+            while (search.asks()) {
+                search.take(places.at(triangle, place_at(search.at)).distance - lines.level_);
+                if (lines.is_over(slice, triangle)) co_await pace;
+            }
+            co_return place_at(search.at);
+        }
         near = far, at_near = at_far;
     }
-    return std::nullopt;
+    co_return std::nullopt;
 }
 
 // To its part on the wanted side, of which one end at least is labelled; false if there is none.
-bool LevelLines::clip(LevelStretch& stretch) const {
-    const bool from = is_wanted(stretch.from_label), to = is_wanted(stretch.to_label);
+Task<bool> LevelLines::clip(Pace& pace, Slice& slice, const LevelLines& lines, LevelStretch& stretch) {
+    const ExactPlaces& places = lines.places_;
+    const bool from = lines.is_wanted(stretch.from_label), to = lines.is_wanted(stretch.to_label);
     if (stretch.from_label == SidedSegment::no_side && stretch.to_label == SidedSegment::no_side) {
-        stretch.from_label = places_.at(stretch.triangle, between(stretch.from, stretch.to, 0.5)).label;
-        return is_wanted(stretch.from_label);
+        stretch.from_label = places.at(stretch.triangle, between(stretch.from, stretch.to, 0.5)).label;
+        co_return lines.is_wanted(stretch.from_label);
     }
-    if (from == to) return from;
+    if (from == to) co_return from;
     uint32_t& other = from ? stretch.to_label : stretch.from_label;
-    if (other == SidedSegment::no_side) return true;
+    if (other == SidedSegment::no_side) co_return true;
     LevelStretch rest = stretch;
     Weights& end = from ? stretch.to : stretch.from;
     bool any = false;
@@ -396,42 +439,47 @@ bool LevelLines::clip(LevelStretch& stretch) const {
         double wanted = from ? 0 : 1, unwanted = 1 - wanted;
         for (uint32_t step = 0; step < side_steps; ++step) {
             const double t = 0.5 * (wanted + unwanted);
-            const uint32_t label = places_.at(rest.triangle, between(rest.from, rest.to, t)).label;
-            if (is_wanted(label))
+            const uint32_t label = places.at(rest.triangle, between(rest.from, rest.to, t)).label;
+            if (lines.is_wanted(label))
                 wanted = t, other = label;
             else
                 unwanted = t;
+            if (lines.is_over(slice, rest.triangle)) co_await pace;
         }
         any = any || wanted != (from ? 0 : 1);
         const Weights across = between(rest.from, rest.to, wanted);
-        end = onto_level(rest, across).value_or(across);
-        const bool is_within = is_wanted(places_.at(rest.triangle, end).label);
+        const std::optional<Weights> on_level = co_await onto_level(pace, slice, lines, rest, across);
+        end = on_level.value_or(across);
+        const bool is_within = lines.is_wanted(places.at(rest.triangle, end).label);
         (is_within == from ? rest.from : rest.to) = end;
     }
-    return any;
+    co_return any;
 }
 
-// The last one that waits: it is divided where its middle is off the level, or it becomes part of the line.
-bool LevelLines::refine_next() {
-    if (pending_.empty()) return false;
-    const Pending next = pending_.back();
-    pending_.pop_back();
-    const LevelStretch& whole = next.stretch;
-    const Weights middle = between(whole.from, whole.to, 0.5);
-    const double off = places_.at(whole.triangle, middle).distance - level_;
-    if (std::abs(off) > offset_tolerance * level_ && next.halvings < most_halvings) {
-        if (const std::optional<Weights> place = onto_level(whole, middle)) {
-            const uint32_t found = places_.at(whole.triangle, *place).label;
-            const uint32_t label = is_wanted(found)              ? found
-                                   : is_wanted(whole.from_label) ? whole.from_label
-                                                                 : whole.to_label;
-            pending_.push_back({{whole.triangle, *place, whole.to, label, whole.to_label}, next.halvings + 1});
-            pending_.push_back({{whole.triangle, whole.from, *place, whole.from_label, label}, next.halvings + 1});
-            return true;
+// Becomes part of the line, divided where its middle is off the level.
+Task<void> LevelLines::refine(Pace& pace, Slice& slice, LevelLines& lines, LevelStretch stretch) {
+    lines.pending_.push_back({stretch, 0});
+    while (!lines.pending_.empty()) {
+        const Pending next = lines.pending_.back();
+        lines.pending_.pop_back();
+        const LevelStretch& whole = next.stretch;
+        const Weights middle = between(whole.from, whole.to, 0.5);
+        const double off = lines.places_.at(whole.triangle, middle).distance - lines.level_;
+        if (lines.is_over(slice, whole.triangle)) co_await pace;
+        std::optional<Weights> place;
+        if (std::abs(off) > offset_tolerance * lines.level_ && next.halvings < most_halvings)
+            place = co_await onto_level(pace, slice, lines, whole, middle);
+        if (!place) {
+            lines.line_.push_back(whole);
+            continue;
         }
+        const uint32_t found = lines.places_.at(whole.triangle, *place).label;
+        const uint32_t label = lines.is_wanted(found)              ? found
+                               : lines.is_wanted(whole.from_label) ? whole.from_label
+                                                                   : whole.to_label;
+        lines.pending_.push_back({{whole.triangle, *place, whole.to, label, whole.to_label}, next.halvings + 1});
+        lines.pending_.push_back({{whole.triangle, whole.from, *place, whole.from_label, label}, next.halvings + 1});
     }
-    line_.push_back(whole);
-    return true;
 }
 
 void LevelLines::end_line(bool closed) {
@@ -442,8 +490,7 @@ void LevelLines::end_line(bool closed) {
 }
 
 Task<void> draw_lines(Pace& pace, LevelLines& lines) {
-    Slice slice(Cost::microseconds);
-    constexpr uint32_t units_a_stretch = 8, units_an_end = 8;
+    Slice slice(Cost::some_ns);
     for (const bool loops : {false, true}) {
         for (uint32_t first = 0; first < lines.crossings_.size(); ++first) {
             if (slice.is_over()) co_await pace;
@@ -483,16 +530,9 @@ Task<void> draw_lines(Pace& pace, LevelLines& lines) {
                     lines.length_of(part.triangle, stretch.from, stretch.to) <= sideless_length * lines.level_)
                     continue;
                 const bool ends = !lines.is_wanted(stretch.to_label) && stretch.to_label != SidedSegment::no_side;
-                const bool is_cut = lines.is_wanted(stretch.from_label) != lines.is_wanted(stretch.to_label);
-                if (is_cut && slice.is_over(units_an_end)) co_await pace;
-                if (lines.clip(stretch)) {
-                    lines.pending_.push_back({stretch, 0});
-                    while (lines.refine_next()) {
-                        if (slice.is_over(units_a_stretch)) co_await pace;
-                    }
-                } else {
-                    is_whole = false;
-                }
+                const bool is_left = co_await LevelLines::clip(pace, slice, lines, stretch);
+                if (is_left) co_await LevelLines::refine(pace, slice, lines, stretch);
+                if (!is_left) is_whole = false;
                 if (ends) {
                     is_whole = false;
                     lines.end_line(false);
