@@ -35,61 +35,90 @@ PieceLook look_at_piece(const ObstacleSet& set, uint32_t obstacle, const Vec3& a
     return look;
 }
 
-// Of a distance that is convex between two places of the piece: by its tangents there, which bound it from below, and
-// where they meet. If that is no less than `enough`, it is not looked for.
-Lowest lowest_between(const ObstacleSet& set, uint32_t obstacle, const Vec3& a, const Vec3& b, double low, double high,
-                      double enough) {
-    PieceLook below = look_at_piece(set, obstacle, a, b, low), above = look_at_piece(set, obstacle, a, b, high);
-    Lowest out;
-    const auto take = [&](const PieceLook& look, double at) {
-        if (look.away < out.away) out = {look.away, at, look.outwards};
-    };
-    take(below, low);
-    take(above, high);
-    const double fine = 1e-13 * (b - a).norm();
-    for (uint32_t round = 0; round < piece_looks && below.slope < 0 && above.slope > 0; ++round) {
-        const double fall = above.slope - below.slope;
-        const double meet =
-            std::clamp((below.away - above.away + above.slope * high - below.slope * low) / fall, low, high);
-        const double bound =
-            std::max(below.away + below.slope * (meet - low), above.away + above.slope * (meet - high));
-        // Both tangents pass there.
-        const bool is_found = out.away - bound <= fine || high - low < 1e-9;
-        if (is_found || (bound >= enough && out.away >= enough)) {
-            out.at = meet;
-            out.away = std::min(out.away, std::max(bound, out.away - fine));
-            out.outwards = (above.slope * below.outwards - below.slope * above.outwards) / fall;
-            break;
+// Where a distance that is convex between two places of the piece is least: by its tangents there, which bound it from
+// below, and where they meet. If that is no less than `enough`, it is not looked for.
+//
+//     while (search.asks()) search.take(look_at_piece(set, obstacle, a, b, search.at));
+class LowestSearch {
+public:
+    LowestSearch(double length, double low, double high, double enough)
+        : at(low), low_(low), high_(high), enough_(enough), fine_(1e-13 * length) {}
+
+    double at;  // what is asked for
+
+    const Lowest& found() const { return out_; }
+    bool asks() {
+        if (looks_ < 2) {
+            at = looks_ == 0 ? low_ : high_;
+            return true;
         }
-        const double least_step = 1e-3 * (high - low), at = std::clamp(meet, low + least_step, high - least_step);
-        const PieceLook look = look_at_piece(set, obstacle, a, b, at);
-        take(look, at);
-        (look.slope < 0 ? low : high) = at;
-        (look.slope < 0 ? below : above) = look;
-        if (look.slope == 0) break;
+        if (is_found_ || looks_ == piece_looks + 2 || !(below_.slope < 0 && above_.slope > 0)) return false;
+        const double fall = above_.slope - below_.slope;
+        const double meet =
+            std::clamp((below_.away - above_.away + above_.slope * high_ - below_.slope * low_) / fall, low_, high_);
+        const double bound =
+            std::max(below_.away + below_.slope * (meet - low_), above_.away + above_.slope * (meet - high_));
+        // Both tangents pass there.
+        is_found_ = out_.away - bound <= fine_ || high_ - low_ < 1e-9 || (bound >= enough_ && out_.away >= enough_);
+        if (is_found_) {
+            out_.at = meet;
+            out_.away = std::min(out_.away, std::max(bound, out_.away - fine_));
+            out_.outwards = (above_.slope * below_.outwards - below_.slope * above_.outwards) / fall;
+            return false;
+        }
+        const double least_step = 1e-3 * (high_ - low_);
+        at = std::clamp(meet, low_ + least_step, high_ - least_step);
+        return true;
     }
-    return out;
+    void take(const PieceLook& look) {
+        if (look.away < out_.away) out_ = {look.away, at, look.outwards};
+        const bool is_below = looks_ == 0 || (looks_ > 1 && look.slope < 0);
+        (is_below ? low_ : high_) = at;
+        (is_below ? below_ : above_) = look;
+        is_found_ = looks_ > 1 && look.slope == 0;
+        ++looks_;
+    }
+
+private:
+    double low_, high_, enough_, fine_;
+    PieceLook below_{}, above_{};
+    Lowest out_;
+    uint32_t looks_ = 0;
+    bool is_found_ = false;
+};
+
+// Of a convex solid.
+Lowest lowest_of_piece(const ObstacleSet& set, uint32_t obstacle, const Vec3& a, const Vec3& b, double enough) {
+    if (!may_be_below(set, obstacle, a, b, enough)) return {};
+    LowestSearch search((b - a).norm(), 0, 1, enough);
+    while (search.asks()) search.take(look_at_piece(set, obstacle, a, b, search.at));
+    return search.found();
 }
 
-Lowest lowest_of_piece(const ObstacleSet& set, uint32_t obstacle, const Vec3& a, const Vec3& b, double enough,
-                       bool is_refined) {
+// Of any: one look at a large mesh may take some ten microseconds.
+Task<Lowest> lowest_of_any_piece(Pace& pace, const ObstacleSet& set, uint32_t obstacle, Vec3 a, Vec3 b, double enough,
+                                 bool is_refined) {
     const double length = (b - a).norm();
-    const Vec3 middle = 0.5 * (a + b);
-    if (set.at_least(obstacle, middle.data()) >= enough + 0.5 * length) return {};
-    if (set[obstacle].is_convex()) return lowest_between(set, obstacle, a, b, 0, 1, enough);
+    if (!may_be_below(set, obstacle, a, b, enough)) co_return Lowest();
+    if (set[obstacle].is_convex()) co_return lowest_of_piece(set, obstacle, a, b, enough);
     const uint32_t parts = is_refined ? refined_parts : rough_parts;
     double least = HUGE_VAL, at = 0;
     for (double t = 0;;) {
         const Vec3 place = a + t * (b - a);
         const double limit = set.clearance() + enough + length / parts;
         const double away = set[obstacle].evaluate_exactly(place.data(), nullptr, nullptr, limit) - set.clearance();
+        co_await pace;
         if (away < least) least = away, at = t;
         if (t >= 1 || length == 0) break;
         t = std::min(t + std::max((away - enough) / length, 1.0 / parts), 1.0);
     }
-    if (least >= enough + 0.5 * length / parts) return {};
-    return lowest_between(set, obstacle, a, b, std::max(at - 1.0 / parts, 0.0), std::min(at + 1.0 / parts, 1.0),
-                          enough);
+    if (least >= enough + 0.5 * length / parts) co_return Lowest();
+    LowestSearch search(length, std::max(at - 1.0 / parts, 0.0), std::min(at + 1.0 / parts, 1.0), enough);
+    while (search.asks()) {
+        search.take(look_at_piece(set, obstacle, a, b, search.at));
+        co_await pace;
+    }
+    co_return search.found();
 }
 
 // With the force of the one before it, if there was one. Where there are too many the farthest goes.
@@ -191,7 +220,7 @@ Task<uint32_t> add_planes_beside(Pace& pace, CableContacts& all, const Buffer<Ve
     }
     if (is_kept) co_return 1;
     if (piece > 0) add_lowest(all, i, Of::node, {look.away, 0, look.outwards}, a, b, before, contacts);
-    const Lowest lowest = lowest_of_piece(set, i, a, b, all.length, contacts.is_refined);
+    const Lowest lowest = co_await lowest_of_any_piece(pace, set, i, a, b, all.length, contacts.is_refined);
     if (lowest.away < all.length && lowest.at > 0 && lowest.at < 1)
         add_lowest(all, i, Of::middle, lowest, a, b, before, contacts);
     co_return contacts.is_refined ? refined_work : rough_work;
@@ -209,7 +238,7 @@ Task<void> place_planes(Pace& pace, CableContacts& all, const Buffer<Vec3>& plac
             if (all.set.at_least(i, a.data()) > all.reach + std::max(all.length, (b - a).norm())) continue;
             uint32_t work = 4;
             if (all.set[i].is_convex()) {
-                const Lowest lowest = lowest_of_piece(all.set, i, a, b, all.reach, false);
+                const Lowest lowest = lowest_of_piece(all.set, i, a, b, all.reach);
                 add_lowest(all, i, ContactPlane::Of::piece, lowest, a, b, before, all.pieces[piece]);
             } else {
                 work = co_await add_planes_beside(pace, all, places, piece, i, before);
@@ -220,32 +249,34 @@ Task<void> place_planes(Pace& pace, CableContacts& all, const Buffer<Vec3>& plac
     }
 }
 
-double least_distance(const ObstacleSet& set, uint32_t obstacle, const Vec3& a, const Vec3& b, double* at) {
-    *at = 0;
-    const Vec3 middle = 0.5 * (a + b);
-    if (set.at_least(obstacle, middle.data()) > 0.5 * (b - a).norm()) return HUGE_VAL;
+Task<Clearest> least_distance(Pace& pace, const ObstacleSet& set, uint32_t obstacle, Vec3 a, Vec3 b) {
     // With a clearance it is not the boundary that counts.
     const bool is_boundary = set.clearance() == 0;
     if (is_boundary && set[obstacle].meets(a.data(), b.data()) == Obstacle::Meets::no) {
         const double away = set[obstacle].evaluate_exactly(a.data(), nullptr, nullptr);
-        if (away >= 0) return away;
+        co_await pace;
+        if (away >= 0) {
+            const Clearest clear{away, 0};
+            co_return clear;
+        }
     }
-    const Lowest lowest = lowest_of_piece(set, obstacle, a, b, 0, true);
-    *at = lowest.at;
-    return lowest.away;
+    const Lowest lowest = co_await lowest_of_any_piece(pace, set, obstacle, a, b, 0, true);
+    const Clearest least{lowest.away, lowest.at};
+    co_return least;
 }
 
 Task<std::pmr::vector<Breach>> find_breaches(Pace& pace, const ObstacleSet& set, const Buffer<Vec3>& places,
                                              double slack) {
     std::pmr::vector<Breach> out(pace.memory());
     const auto pieces = static_cast<uint32_t>(places.size()) - 1;
-    Slice slice(Cost::microseconds);
+    Slice slice(Cost::tens_of_ns);
     for (uint32_t i = 0; i < pieces; ++i) {
         for (uint32_t k = 0; k < set.count(); ++k) {
-            double at = 0;
-            const double least = least_distance(set, k, places[i], places[i + 1], &at);
-            if (least < (i == 0 || i + 1 == pieces ? -slack : 0)) out.push_back({i, k, at, -least});
-            if (slice.is_over(least < HUGE_VAL ? 4 : 1)) co_await pace;
+            if (slice.is_over()) co_await pace;
+            if (!may_be_below(set, k, places[i], places[i + 1], 0)) continue;
+            const Clearest least = co_await least_distance(pace, set, k, places[i], places[i + 1]);
+            if (least.away < (i == 0 || i + 1 == pieces ? -slack : 0)) out.push_back({i, k, least.at, -least.away});
+            co_await pace;
         }
     }
     co_return out;

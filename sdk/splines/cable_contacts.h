@@ -65,8 +65,19 @@ Task<std::pmr::vector<Breach>> find_breaches(Pace& pace, const ObstacleSet& set,
 
 Task<bool> is_free(Pace& pace, const ObstacleSet& set, const Buffer<Vec3>& places, double slack);
 
-// The least distance of a straight piece from an obstacle, if it may be below 0, and where that is.
-double least_distance(const ObstacleSet& set, uint32_t obstacle, const Vec3& a, const Vec3& b, double* at);
+// Whether a straight piece may be so near to an obstacle: a quick bound.
+inline bool may_be_below(const ObstacleSet& set, uint32_t obstacle, const Vec3& a, const Vec3& b, double away) {
+    const Vec3 middle = 0.5 * (a + b);
+    return set.at_least(obstacle, middle.data()) < away + 0.5 * (b - a).norm();
+}
+
+struct Clearest {
+    double away;  // metres; below 0: inside
+    double at;    // of the piece, 0 to 1
+};
+
+// The least distance of a straight piece from an obstacle; of one that is far away it may be HUGE_VAL.
+Task<Clearest> least_distance(Pace& pace, const ObstacleSet& set, uint32_t obstacle, Vec3 a, Vec3 b);
 
 // What is inside keeps farther away.
 Task<void> keep_farther(Pace& pace, CableContacts& contacts, const std::pmr::vector<Breach>& breaches, double rest);

@@ -146,14 +146,15 @@ Task<bool> is_swept_free(Pace& pace, const ObstacleSet& set, const CableSpan& sp
         const bool free = co_await is_free(pace, set, between, span.slack);
         if (!free) co_return false;
     }
-    Slice slice(Cost::microseconds);
+    Slice slice(Cost::tens_of_ns);
     for (uint32_t i = 1; i < pieces; ++i) {
         const Vec3 above = from + (to - from) * (static_cast<double>(i) / pieces);
         for (uint32_t k = 0; k < set.count(); ++k) {
-            double at = 0;
-            const double least = least_distance(set, k, above, places[i], &at);
-            if (least < -span.slack) co_return false;
-            if (slice.is_over(least < HUGE_VAL ? 4 : 1)) co_await pace;
+            if (slice.is_over()) co_await pace;
+            if (!may_be_below(set, k, above, places[i], 0)) continue;
+            const Clearest least = co_await least_distance(pace, set, k, above, places[i]);
+            if (least.away < -span.slack) co_return false;
+            co_await pace;
         }
     }
     co_return true;
