@@ -16,6 +16,7 @@ constexpr double least_sideways = 1e-6;  // of a direction across the way: less 
 constexpr double steps_of_size = 256;    // of a walk over a surface: so many as long as it is large
 constexpr double most_steps = 1024;      // of a walk: then they are longer
 constexpr uint32_t look_units = 4;       // of Cost::microseconds: a step of a walk
+constexpr uint32_t search_units = 16;    // of Cost::hundreds_of_ns: whether a chord is near
 constexpr double own_tolerance = 1e-9;   // of a distance
 constexpr uint32_t leaf_chords = 8;      // of a box of ChordBoxes
 
@@ -233,7 +234,7 @@ Task<FoundLoops> find_loops(Pace& pace, RingRows ring) {
         const int64_t turn = (loop.begin + loop.end) / 2;
         while (loop.begin >= 0 && ring.is_beyond(boxes, loop.begin, turn, steps)) {
             --loop.begin;
-            if (slice.is_over(2)) co_await pace;
+            if (slice.is_over(search_units)) co_await pace;
             // Loops that meet are one.
             if (!loops.empty() && loop.begin < loops.back().end) {
                 loop.begin = loops.back().begin;
@@ -242,7 +243,7 @@ Task<FoundLoops> find_loops(Pace& pace, RingRows ring) {
         }
         while (loop.end <= steps && ring.is_beyond(boxes, loop.end, 0, turn)) {
             ++loop.end;
-            if (slice.is_over(2)) co_await pace;
+            if (slice.is_over(search_units)) co_await pace;
         }
         loops.push_back(loop);
         i = loop.end;

@@ -170,7 +170,7 @@ Task<void> spread(Pace& pace, Distances& d) {
             }
         });
     }
-    co_await each(pace, d.grid.size(), Cost::hundreds_of_ns, [&](uint32_t node) { d.polish(node); });
+    co_await each(pace, d.grid.size(), Cost::microseconds, [&](uint32_t node) { d.polish(node); });
 }
 
 // A triangle seen along an axis: for some of the lines of nodes around it, the first node behind it gets its sense if
