@@ -92,7 +92,8 @@ bool is_svg(const std::string& path) {
     return ends_with_one_of(path, {".svg", ".SVG"});
 }
 
-std::vector<Ring> read_svg(const std::string& path) {
+// `warnings` may be null.
+std::vector<Ring> read_svg(const std::string& path, std::vector<std::string>* warnings) {
     FlgCurveFile file = nullptr;
     if (flgCurveFileRead(path.c_str(), nullptr, &file) < 0) throw InputError(flgIoErrorGetMessage());
     const std::unique_ptr<FlgCurveFileT, decltype(&flgCurveFileRelease)> owner(file, flgCurveFileRelease);
@@ -107,6 +108,9 @@ std::vector<Ring> read_svg(const std::string& path) {
             points.insert(points.end(), {column.data[i * stride], column.data[i * stride + 1]});
         if (!points.empty()) rings.emplace_back(std::move(points));
     }
+    FlgCurveFileInfo info = flgCurveFileInfoDefaults();
+    if (warnings != nullptr && flgCurveFileGetInfo(file, &info) == FLG_OK)
+        for (uint32_t i = 0; i < info.warning_count; ++i) warnings->push_back(path + ": " + info.warnings[i]);
     if (rings.empty()) throw InputError(path + ": has no outline");
     return rings;
 }
@@ -122,7 +126,7 @@ std::vector<size_t> by_area(const std::vector<Ring>& rings) {
 }
 
 ContourArrays contour_of_svg(const std::string& path) {
-    const std::vector<Ring> rings = read_svg(path);
+    const std::vector<Ring> rings = read_svg(path, nullptr);
     const size_t largest = by_area(rings).front();
     ContourArrays contour;
     add_ring(contour, rings[largest]);
@@ -134,16 +138,23 @@ ContourArrays contour_of_svg(const std::string& path) {
 Outlines outlines_of_svg(const std::string& path) {
     constexpr double speck = 1.0 / 100;
     constexpr size_t none = SIZE_MAX;
-    std::vector<Ring> rings = read_svg(path);
+    Outlines out;
+    std::vector<Ring> rings = read_svg(path, &out.warnings);
+    const auto leave_out = [&](const std::string& what, const auto& is_left_out) {
+        const size_t count = std::erase_if(rings, is_left_out);
+        if (count == 1) out.warnings.push_back(path + ": 1 outline is " + what + " and left out");
+        if (count > 1)
+            out.warnings.push_back(path + ": " + std::to_string(count) + " outlines are " + what + " and left out");
+    };
+    leave_out("a line", [](const Ring& ring) { return ring.points.size() < 6; });
     std::vector<double> corners;
     for (const Ring& ring : rings) {
         corners.insert(corners.end(), ring.low.begin(), ring.low.end());
         corners.insert(corners.end(), ring.high.begin(), ring.high.end());
     }
+    if (rings.empty()) throw InputError(path + ": has no outline, only lines");
     const double smallest = speck * Ring(corners).diagonal();
-    Outlines out;
-    out.speck_count =
-        static_cast<uint32_t>(std::erase_if(rings, [&](const Ring& ring) { return ring.diagonal() < smallest; }));
+    leave_out("smaller than 1/100 of the drawing", [&](const Ring& ring) { return ring.diagonal() < smallest; });
     const std::vector<size_t> order = by_area(rings);
     std::vector<size_t> parent(rings.size(), none);  // the smallest that encloses it
     std::vector<bool> is_hole(rings.size(), false);
@@ -207,7 +218,7 @@ ContourArrays read_contour_file(const std::string& path) {
 
 Outlines read_outlines(const std::string& path) {
     if (is_svg(path)) return outlines_of_svg(path);
-    return {{read_contour_file(path)}};
+    return {{read_contour_file(path)}, {}};
 }
 
 }  // namespace flg::cli

@@ -22,10 +22,11 @@ ContourArrays read_contour_file(const std::string& path);
 
 struct Outlines {
     std::vector<ContourArrays> contours;  // in the file's order
-    uint32_t speck_count = 0;             // dots of a pen: smaller than 1/100 of the drawing, and left out
+    std::vector<std::string> warnings;    // sentences: what was left out
 };
 
-// Of a .svg its outlines, each with those directly within it as holes; other files are one. Throws as that does.
+// Of a .svg its outlines, each with those directly within it as holes; other files are one. Left out are lines of two
+// points, and dots of the pen: what is smaller than 1/100 of the drawing. Throws as that does.
 Outlines read_outlines(const std::string& path);
 
 }  // namespace flg::cli

@@ -208,12 +208,9 @@ ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& sub
     return drawing;
 }
 
-std::vector<DrawnPart> read_contour_parts(const std::string& path, std::string& warning) {
+std::vector<DrawnPart> read_contour_parts(const std::string& path, std::vector<std::string>& warnings) {
     Outlines outlines = read_outlines(path);
-    const uint32_t specks = outlines.speck_count;
-    if (specks > 0)
-        warning = path + ": " + std::to_string(specks) + (specks == 1 ? " outline is" : " outlines are") +
-                  " smaller than 1/100 of the drawing and left out";
+    warnings.insert(warnings.end(), outlines.warnings.begin(), outlines.warnings.end());
     const std::string name = std::filesystem::path(path).stem().stem().string();
     std::vector<DrawnPart> parts;
     for (ContourArrays& contour : outlines.contours) {

@@ -58,8 +58,8 @@ ModelDrawing read_model_drawing(const std::string& path);
 // Of a file that has been read, or of a part of one; contours that it names are in `folder`.
 ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& subject,
                               const std::filesystem::path& folder);
-// A part for each outline of a file (contour_file.h), called NAME, NAME-2 and so on; `warning` says what was left out.
-std::vector<DrawnPart> read_contour_parts(const std::string& path, std::string& warning);
+// A part for each outline of a file (contour_file.h), called NAME, NAME-2 and so on; warnings say what was left out.
+std::vector<DrawnPart> read_contour_parts(const std::string& path, std::vector<std::string>& warnings);
 
 // Its model, made; `subject` is what errors are about. Parts stay alive with the session.
 FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const std::string& subject, Report& report);

@@ -36,8 +36,8 @@ void read_drawing(const std::string& path) {
 void read_outline(const std::string& path) {
     Command command;
     cli::ModelDrawing drawing;
-    std::string warning;
-    drawing.parts = cli::read_contour_parts(path, warning);
+    std::vector<std::string> warnings;
+    drawing.parts = cli::read_contour_parts(path, warnings);
     make_drawn_model(command.session, drawing, path, command.report);
 }
 

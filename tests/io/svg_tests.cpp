@@ -130,6 +130,16 @@ TEST(Svg, PassesOverWhatIsNotDrawn) {
     EXPECT_EQ(curves.warnings, "1 element: use, text and image are not read (first: element 4)\n");
 }
 
+TEST(Svg, PassesOverWhatIsHidden) {
+    const Folder folder;
+    const Read curves = read_svg(folder,
+                                 "<path display='none' d='M0 0 1 1'/><g style='fill: red; display:none'><path d='M0 0 "
+                                 "1 1' display='inline'/></g><g visibility='hidden'><path d='M0 0 1 1'/><path "
+                                 "style='visibility:visible' d='M0 0 2 2'/></g>");
+    ASSERT_EQ(curves.result, FLG_OK) << curves.error;
+    EXPECT_EQ(curves.positions(), (Floats{0, 0, 0, 2, -2, 0}));
+}
+
 TEST(Svg, RefusesWithTheLine) {
     const Folder folder;
     const auto refuse = [&](const std::string& elements, const char* reason, FlgResult result = FLG_ERROR_FORMAT) {

@@ -297,9 +297,9 @@ TEST(StudioDrawing, DocumentsAndFilesKeepIt) {
 
     const test::Folder folder;
     write_drawing(drawing, (folder / "drawing.json").string());
-    std::string warning;
-    EXPECT_EQ(drawing_json(read_drawing((folder / "drawing.json").string(), warning)), drawing_json(drawing));
-    EXPECT_EQ(warning, "");
+    std::vector<std::string> warnings;
+    EXPECT_EQ(drawing_json(read_drawing((folder / "drawing.json").string(), warnings)), drawing_json(drawing));
+    EXPECT_TRUE(warnings.empty());
     EXPECT_EQ(folder.list().size(), 1u);
     EXPECT_THROW(write_drawing(Drawing{}, (folder / "none.json").string()), StudioError);
     EXPECT_THROW(write_drawing(drawing, (folder / "no/such.json").string()), StudioError);
@@ -310,20 +310,21 @@ TEST(StudioDrawing, OutlinesOfAnSvgArePartsOfOneScale) {
     folder.write("page.svg",
                  "<svg xmlns='http://www.w3.org/2000/svg' width='300' height='300'><rect width='200' height='200'/>"
                  "<rect x='250' y='9' width='9' height='9'/><rect x='280' width='0.5' height='0.5'/></svg>");
-    std::string warning;
-    const Drawing drawing = read_drawing((folder / "page.svg").string(), warning);
+    std::vector<std::string> warnings;
+    const Drawing drawing = read_drawing((folder / "page.svg").string(), warnings);
     ASSERT_EQ(drawing.parts.size(), 2u);
     for (const DrawnPart& part : drawing.parts) EXPECT_EQ(part.scale, 0.01);
-    EXPECT_NE(warning.find("1 outline is smaller"), std::string::npos) << warning;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("1 outline is smaller"), std::string::npos) << warnings[0];
 }
 
 TEST(StudioDrawing, RefusesWhatIsNone) {
     const test::Folder folder;
     folder.write("bad.json", "{\"parts\": [{\"name\": 1}]}");
     folder.write("bad.txt", "1 2\nnot a point\n");
-    std::string warning;
+    std::vector<std::string> warnings;
     for (const char* name : {"bad.json", "bad.txt", "absent.txt"})
-        EXPECT_THROW(read_drawing((folder / name).string(), warning), StudioError) << name;
+        EXPECT_THROW(read_drawing((folder / name).string(), warnings), StudioError) << name;
     EXPECT_THROW(drawing_of_document({{"pose", 7}}), StudioError);
     EXPECT_THROW(drawing_of_document({{"drawing", {{"parts", 1}}}}), StudioError);
     EXPECT_THROW(drawing_of_document({{"weights", {{{"brush", "add"}}}}}), StudioError);

@@ -117,7 +117,8 @@ TEST_F(SkeletonCommand, OutlinesOfAnSvgArePartsWithHoles) {
     folder.write("animal.svg",
                  "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='60'>"
                  "<path d='M10 10 H90 V30 H10 Z M40 12 V28 H70 V12 Z'/><rect x='45' y='15' width='20' height='10'/>"
-                 "<rect x='15' y='25' width='8' height='30'/><circle cx='95' cy='5' r='0.2'/></svg>");
+                 "<rect x='15' y='25' width='8' height='30'/><circle cx='95' cy='5' r='0.2'/><line x2='9'/>"
+                 "<rect width='99' height='59' style='fill:red; display : none'/><text>a name</text></svg>");
     const Json json = bones({"animal.svg", "-o", "animal.glb"});
     ASSERT_EQ(json.at("parts").size(), 3u);
     EXPECT_EQ(json.at("parts")[0].at("name"), "animal");
@@ -125,7 +126,9 @@ TEST_F(SkeletonCommand, OutlinesOfAnSvgArePartsWithHoles) {
     EXPECT_EQ(json.at("parts")[2].at("name"), "animal-3");
     EXPECT_EQ(json.at("parts")[2].at("parent"), 0);
     EXPECT_EQ(report().at("warnings"),
-              Json::array({"animal.svg: 1 outline is smaller than 1/100 of the drawing and left out"}));
+              Json::array({"animal.svg: 1 element: use, text and image are not read (first: element 7)",
+                           "animal.svg: 1 outline is a line and left out",
+                           "animal.svg: 1 outline is smaller than 1/100 of the drawing and left out"}));
     // Bones pass by the hole.
     for (const Json& joint : json.at("joints")) {
         const double x = joint.at("position")[0], y = joint.at("position")[1];
@@ -204,6 +207,64 @@ TEST_F(SkeletonCommand, NamesLastWhenALimbMoves) {
     folder.write("no.json", R"({"joints": []})");
     expect_refused({"skeleton", "person.json", "--bones", "b.json", "--previous", "no.json"}, 1, {"no.json: bones"});
     expect_refused({"skeleton", "person.json", "--bones", "b.json", "--previous", "none.json"}, 1, {"none.json"});
+}
+
+// Symmetric, with one arm lowered by `low` at its end.
+Line person_with_arm(double low) {
+    const Line half = {{0, 3},      {0.35, 2.9},  {0.5, 2.5},   {0.35, 2.15}, {0.17, 2},    {0.3, 1.85},  {0.75, 1.75},
+                       {1.3, 1.45}, {1.9, 1.05},  {2.15, 0.95}, {2.2, 0.75},  {1.95, 0.75}, {1.3, 1.1},   {0.75, 1.3},
+                       {0.62, 1},   {0.6, 0.3},   {0.68, -0.2}, {0.72, -0.9}, {0.65, -1.8}, {0.9, -1.95}, {0.88, -2.1},
+                       {0.3, -2.1}, {0.28, -1.8}, {0.25, -1},   {0.12, -0.35}};
+    Line whole = half;
+    for (size_t i = half.size() - 1; i > 0; --i) {
+        const auto [x, y] = half[i];
+        whole.push_back({-x, x > 0.8 && y > 0.6 && y < 1.6 ? y - low * (x - 0.8) : y});
+    }
+    return whole;
+}
+
+// What was set about a joint stays with it, although joints are numbered anew where the drawing is symmetric no more.
+TEST_F(SkeletonCommand, EditsStayWithTheirJointsFromRunToRun) {
+    Json drawing = {{"parts", {{{"name", "me"}, {"curve", person_with_arm(0)}}}}};
+    // Where joints are by the name that they were given.
+    const auto made = [&](const std::vector<std::string>& more) {
+        folder.write("me.json", drawing.dump());
+        std::vector<std::string> arguments = {"me.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        std::map<std::string, std::array<double, 2>> out;
+        const Json model = bones(arguments);
+        for (const Json& joint : model.at("joints"))
+            if (joint.at("name").get<std::string>().starts_with("my_"))
+                out[joint.at("name")] = {joint.at("position")[0], joint.at("position")[1]};
+        return out;
+    };
+    made({});
+    const Json plain = Json::parse(folder.read("bones.json"));
+    for (const Json& joint : plain.at("joints"))
+        drawing["joints"].push_back(
+            {{"joint", joint.at("key")}, {"edit", "rename"}, {"name", "my_" + joint.at("key").get<std::string>()}});
+    const auto first = made({});
+    folder.write("before.json", folder.read("bones.json"));
+    constexpr double same_place = 0.5;
+    const auto elsewhere = [&](const auto& now) {
+        size_t count = 0;
+        for (const auto& [name, at] : now)
+            count += std::hypot(at[0] - first.at(name)[0], at[1] - first.at(name)[1]) > same_place;
+        return count;
+    };
+    for (const double low : {0.05, 0.1, 0.15}) {
+        drawing["parts"][0]["curve"] = person_with_arm(low);
+        EXPECT_GT(elsewhere(made({})), first.size() / 2) << "this drawing shows nothing";
+        const auto now = made({"--previous", "before.json"});
+        folder.write("before.json", folder.read("bones.json"));
+        EXPECT_EQ(elsewhere(now), 0u) << low;
+        EXPECT_GE(now.size() + 5, first.size());
+        size_t gone = 0;
+        const Json warnings = report().at("warnings");
+        for (const Json& warning : warnings)
+            gone += warning.get<std::string>().find("is gone, and what was set about it") != std::string::npos;
+        EXPECT_EQ(now.size() + gone, first.size());
+    }
 }
 
 Line block(double x, double y, double width, double height) {

@@ -10,6 +10,10 @@
 
 namespace flg::cli {
 
+// Edits of joints are by the keys that these had in `bones`: they become those of the same joints in `model`, made of
+// the drawing without them. Edits of joints that are gone go too; returns their keys. Throws InputError.
+std::vector<std::string> follow_joints(const std::string& bones, const FlgModelView& model, ModelDrawing& drawing);
+
 class LastingNames {
 public:
     // `bones` is what `filigree skeleton --bones` wrote. Names that the drawing gives stay. Throws InputError.
@@ -18,10 +22,12 @@ public:
 
     // One per joint; they live as long as this.
     const char* const* pointers() const { return pointers_.data(); }
+    // Likewise keys, by which edits in the drawing know the joints from the first run on.
+    const char* const* keys() const { return key_pointers_.data(); }
 
 private:
-    std::vector<std::string> names_;
-    std::vector<const char*> pointers_;
+    std::vector<std::string> names_, keys_;
+    std::vector<const char*> pointers_, key_pointers_;
 };
 
 }  // namespace flg::cli

@@ -89,9 +89,9 @@ ModelDrawing read_drawing(const Options& options, Session& session, Report& repo
                 drawing.parts.push_back(read_mesh_part(session, path, options.from, report));
                 continue;
             }
-            std::string warning;
-            for (DrawnPart& part : read_contour_parts(path, warning)) drawing.parts.push_back(std::move(part));
-            if (!warning.empty()) report.warn(warning);
+            std::vector<std::string> warnings;
+            for (DrawnPart& part : read_contour_parts(path, warnings)) drawing.parts.push_back(std::move(part));
+            for (const std::string& warning : warnings) report.warn(warning);
         }
     }
     drawing.repair = options.repair;
@@ -433,6 +433,14 @@ void run_skeleton(Options options, const CommonOptions& common) {
         if (options.picture.box.empty() && ends_with_one_of(subject, {".svg", ".SVG"}))
             options.picture.box = page_of_svg(subject);
         if (!options.picture.file.empty()) place_picture(options.picture, drawing);
+        if (!options.previous.empty() && !drawing.joint_edits.empty()) {
+            ModelDrawing untouched = drawing;
+            untouched.joint_edits.clear();
+            FlgModelView view = flgModelViewDefaults();
+            make_model(options, session, untouched, view, report);
+            for (const std::string& key : follow_joints(options.previous, view, drawing))
+                report.warn(subject + ": the joint " + key + " is gone, and what was set about it");
+        }
         FlgModelView view = flgModelViewDefaults();
         const FlgModel model = make_model(options, session, drawing, view, report);
         warn_of_vain_edits(drawing, view, subject, report);
@@ -440,6 +448,7 @@ void run_skeleton(Options options, const CommonOptions& common) {
         if (!options.previous.empty()) {
             names.emplace(options.previous, view, drawing);
             view.joint_names = names->pointers();
+            view.joint_keys = names->keys();
         }
         write_bones(options, subject, drawing, view, report);
         if (has_skin) {

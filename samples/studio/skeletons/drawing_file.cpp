@@ -214,12 +214,12 @@ Drawing with_sentence(const std::string& subject, Read read) {
 
 }  // namespace
 
-Drawing read_drawing(const std::string& path, std::string& warning) {
+Drawing read_drawing(const std::string& path, std::vector<std::string>& warnings) {
     return with_sentence(path, [&] {
         if (path.ends_with(".json")) return drawing_of(cli::read_model_drawing(path));
         cli::ModelDrawing contour;
         contour.thresholds = kUsualBones;
-        contour.parts = cli::read_contour_parts(path, warning);
+        contour.parts = cli::read_contour_parts(path, warnings);
         Drawing drawing = drawing_of(contour);
         const DrawnPart usual;
         for (DrawnPart& part : drawing.parts) {

@@ -11,8 +11,8 @@ namespace flg::studio {
 
 // All throw StudioError.
 
-// A .json drawing, or a contour file: a part for each outline; `warning` says what was left out.
-Drawing read_drawing(const std::string& path, std::string& warning);
+// A .json drawing, or a contour file: a part for each outline; `warnings` say what was left out.
+Drawing read_drawing(const std::string& path, std::vector<std::string>& warnings);
 // For the command line: parts without the picture and the pose; at least one part.
 nlohmann::json drawing_json(const Drawing& drawing);
 void write_drawing(const Drawing& drawing, const std::string& path);

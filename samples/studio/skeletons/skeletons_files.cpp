@@ -57,9 +57,9 @@ bool Skeletons::open(const std::string& path) {
     }
     const bool is_contour = ends_with(path, ".txt") || (is_in_front_ && ends_with(path, ".svg"));
     if (!is_contour && !(ends_with(path, ".json") && is_drawing(path))) return false;
-    std::string warning;
-    Drawing drawing = read_drawing(path, warning);
-    if (!warning.empty()) editor_.app.notices.add(Weight::warning, warning);
+    std::vector<std::string> warnings;
+    Drawing drawing = read_drawing(path, warnings);
+    for (const std::string& warning : warnings) editor_.app.notices.add(Weight::warning, warning);
     drop_tools();
     if (is_contour) {
         editor_.add(std::move(drawing.parts), MirrorAs::single);

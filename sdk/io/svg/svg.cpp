@@ -440,15 +440,16 @@ Vector<SvgOutline> rectangle(const SvgTag& tag) {
     double rx = length_of(tag, has_rx ? "rx" : "ry"), ry = length_of(tag, has_ry ? "ry" : "rx");
     rx = std::clamp(rx, 0.0, width / 2), ry = std::clamp(ry, 0.0, height / 2);
     Pen pen(tag.line);
+    const bool is_round = rx > 0 && ry > 0;
+    const auto corner = [&](const SvgPoint& begin, const SvgPoint& end) {
+        pen.draw(begin);
+        if (is_round) pen.arc(rx, ry, 0, false, true, end);
+    };
     pen.move({x + rx, y});
-    pen.draw({x + width - rx, y});
-    pen.arc(rx, ry, 0, false, true, {x + width, y + ry});
-    pen.draw({x + width, y + height - ry});
-    pen.arc(rx, ry, 0, false, true, {x + width - rx, y + height});
-    pen.draw({x + rx, y + height});
-    pen.arc(rx, ry, 0, false, true, {x, y + height - ry});
-    pen.draw({x, y + ry});
-    pen.arc(rx, ry, 0, false, true, {x + rx, y});
+    corner({x + width - rx, y}, {x + width, y + ry});
+    corner({x + width, y + height - ry}, {x + width - rx, y + height});
+    corner({x + rx, y + height}, {x, y + height - ry});
+    if (is_round) corner({x, y + ry}, {x + rx, y});
     pen.close();
     return pen.take();
 }
@@ -529,6 +530,24 @@ bool is_left_out(std::string_view name) {
     return name == "use" || name == "text" || name == "image";
 }
 
+// A property of an element, of its style or else an attribute; "" if it has neither.
+std::string_view property(const SvgTag& tag, std::string_view name) {
+    const auto trimmed = [&](std::string_view text) {
+        const size_t first = std::min(text.find_first_not_of(blanks), text.size());
+        return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+    };
+    std::string_view value = tag.attribute(name);
+    for (std::string_view style = tag.attribute("style"); !style.empty();) {
+        const size_t end = std::min(style.find(';'), style.size());
+        const std::string_view declaration = style.substr(0, end);
+        const size_t colon = declaration.find(':');
+        if (colon != std::string_view::npos && trimmed(declaration.substr(0, colon)) == name)
+            value = declaration.substr(colon + 1);
+        style.remove_prefix(std::min(end + 1, style.size()));
+    }
+    return trimmed(value);
+}
+
 class SvgReader {
 public:
     explicit SvgReader(std::string_view text) : tags_(text) {}
@@ -554,7 +573,8 @@ private:
     struct Level {
         std::string_view name;
         SvgTransform transform;
-        bool hidden;
+        bool hidden;     // with all that is in it
+        bool invisible;  // but for what in it is visible again
         uint64_t line;
     };
 
@@ -567,9 +587,12 @@ private:
             fail(FLG_ERROR_LIMIT, line_place(tag.line), "elements lie more than %zu deep in each other", max_depth);
         }
         const Level around = stack_.empty() ? Level{} : stack_.back();
+        const std::string_view visibility = property(tag, "visibility");
         const Level level = {tag.name, around.transform * read_transform(tag.attribute("transform"), tag.line),
-                             around.hidden || is_hidden(tag.name), tag.line};
-        if (!level.hidden) {
+                             around.hidden || is_hidden(tag.name) || property(tag, "display") == "none",
+                             visibility.empty() || visibility == "inherit" ? around.invisible : visibility != "visible",
+                             tag.line};
+        if (!level.hidden && !level.invisible) {
             if (is_left_out(tag.name)) left_out_.add(elements_);
             add(read_outlines(tag), level);
         }
