@@ -138,7 +138,7 @@ double max_slice_us(const Ring& ring) {
 }
 
 #if defined(FLG_WITH_CGAL)
-// How many times as long CGAL takes: the least ratio of all outlines of a class. Both take small ones again and again, as
+// How many times as long CGAL takes: the least ratio of all outlines of a class. Both take small ones again and again:
 // the clock and a cold cache would take longer than either.
 Row beside_cgal(const OutlineClass& outlines, double bar) {
     constexpr size_t points_a_timing = 3000;
