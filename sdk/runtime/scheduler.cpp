@@ -328,6 +328,7 @@ void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequi
     // All memory is taken before anything changes, so that a failing allocator leaves no trace.
     if (running_.capacity() <= pending_) running_.reserve(std::max(size_t{8}, size_t{pending_} * 2));
     job->dependencies.resize(prerequisites.size());
+    if (next_serial_ == 1) usual_times_.make_table();
     job->serial = next_serial_++;
     job->wanted_ns = job->deadline_ns;
     bool ready = false;

@@ -139,7 +139,7 @@ private:
     std::condition_variable publishable_;
     std::array<ReadyQueue, 2 * priority_count + 1> ready_;  // the last first
     std::array<StrandHeap, priority_count> wanted_;         // jobs with a deadline
-    UsualTimes usual_times_;
+    UsualTimes usual_times_{memory_};
     uint32_t ready_count_ = 0;
     std::shared_ptr<Job> started_;         // list of jobs that ran for the first time since the last tick
     std::shared_ptr<Job> first_settling_;  // jobs that are done and whose dependents are to be told

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What jobs of each kind took lately: a mean that follows the last ones. Of a table of fixed size, so that a host that
-// runs for days takes no more memory; of two kinds in one place the last one stays.
+// runs for days takes no more memory; of two kinds in one place the last one stays. It is made for the first job.
 #pragma once
 
-#include <array>
 #include <coroutine>
 #include <cstdint>
+#include <vector>
+
+#include "core/memory.h"
 
 namespace flg {
 
@@ -16,6 +18,10 @@ inline const void* kind_of(std::coroutine_handle<> task) {
 
 class UsualTimes {
 public:
+    explicit UsualTimes(Memory* memory) : entries_(memory) {}
+
+    // Before any other call.
+    void make_table() { entries_.resize(size); }
     // 0: there were none.
     uint64_t of(const void* kind) const {
         const Entry& entry = entries_[place(kind)];
@@ -35,7 +41,7 @@ private:
     // Functions are aligned to 16.
     static size_t place(const void* kind) { return reinterpret_cast<uintptr_t>(kind) / 16 % size; }
 
-    std::array<Entry, size> entries_;
+    std::pmr::vector<Entry> entries_;
 };
 
 }  // namespace flg

@@ -270,7 +270,10 @@ namespace Filigree
         public float max_slice_us;
         /// <summary>for what it waits, now</summary>
         public FlgJobWait wait;
-        /// <summary>work that is left, by what it took so far; negative: unknown</summary>
+        /// <summary>
+        /// work that is left, by what it took so far; of a job that tells no share of its work by what the last of its
+        /// kind took in this context; negative: unknown
+        /// </summary>
         public float remaining_us;
         /// <summary>the first job that it waits for; null: none, or one without a handle</summary>
         public FlgJob waits_for;
