@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "bones/part_body.h"
+#include "inflation/four_joints.h"
 #include "inflation/mesh_simplification.h"
 #include "inflation/part_depths.h"
 #include "runtime/each.h"
@@ -238,8 +239,12 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     Buffer<uint32_t> parents(model.tree.joints.size(), pace.memory());
     co_await each(pace, parents.size(), Cost::some_ns, [&](uint32_t j) { parents[j] = model.tree.joints[j].parent; });
     const BoneRig rig{bones, {parents.data(), parents.size()}};
-    skin->weights = co_await bone_weights(pace, even.mesh, placed, rig, BoneWeightOptions());
-    skin->mesh = co_await cut_merged(pace, even, &skin->weights);
+    ManyWeights weights = co_await many_weights(pace, even.mesh, placed, rig, BoneWeightOptions());
+    skin->mesh = co_await cut_merged(pace, even, &weights);
+    pace.stage("weights");
+    skin->weights = co_await keep_four_joints(pace, skin->mesh, weights, rig);
+    weights = {};
+    co_await pace;
     // Borders take more vertices than were asked for. Where thin parts do, they stay: with larger triangles, limbs that
     // pass close by each other would cut through each other.
     const bool is_even = skin->mesh.even_vertices <= max_surplus * skin->options.vertices;

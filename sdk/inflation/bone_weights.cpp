@@ -314,7 +314,7 @@ Task<void> choose_spread(Pace& pace, const MergedMesh& mesh, const Groups& corne
 
 // begin(joints, spreading) is the task that says what each vertex begins with.
 template <class Begin>
-Task<BoneWeights> weigh(Pace& pace, const MergedMesh& mesh, BoneRig rig, BoneWeightOptions options, Begin begin) {
+Task<ManyWeights> weigh(Pace& pace, const MergedMesh& mesh, BoneRig rig, BoneWeightOptions options, Begin begin) {
     pace.stage("weights");
     if (rig.bones.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "weights: there are no bones");
     if (!(options.reach >= 0.05 && options.reach <= 2))
@@ -365,24 +365,56 @@ Task<BoneWeights> weigh(Pace& pace, const MergedMesh& mesh, BoneRig rig, BoneWei
     co_await pace;
     values = {};
     co_await pace;
-    const ManyWeights many{{all.largest.data(), vertices}, {all.spread.data(), vertices}};
-    co_return co_await keep_four_joints(pace, mesh, corners, many, pivots);
+    co_return ManyWeights{std::move(all.largest), std::move(all.spread)};
 }
 
 }  // namespace
 
-Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
+Task<ManyWeights> many_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
                                BoneWeightOptions options) {
     co_return co_await weigh(pace, mesh, rig, options, [&](const Joints& joints, Spreading& all) {
         return begin_within_parts(pace, mesh, parts, rig, joints, all);
     });
 }
 
+Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
+                               BoneWeightOptions options) {
+    const ManyWeights many = co_await many_weights(pace, mesh, parts, rig, options);
+    co_return co_await keep_four_joints(pace, mesh, many, rig);
+}
+
 Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, NearestBones nearest, BoneRig rig,
                                BoneWeightOptions options) {
-    co_return co_await weigh(pace, mesh, rig, options, [&](const Joints& joints, Spreading& all) {
+    const ManyWeights many = co_await weigh(pace, mesh, rig, options, [&](const Joints& joints, Spreading& all) {
         return begin_at_bones(pace, mesh, nearest, rig, joints, all);
     });
+    co_return co_await keep_four_joints(pace, mesh, many, rig);
+}
+
+void mix_weights(ManyJoints& a, const ManyJoints& b, double share) {
+    struct Bound {
+        float weight = 0;
+        uint16_t joint = 0;
+        bool operator<(const Bound& other) const {
+            return weight != other.weight ? weight > other.weight : joint < other.joint;
+        }
+    };
+    std::array<Bound, 2 * ManyJoints::limit> bound;
+    uint32_t count = 0;
+    const auto add = [&](uint16_t joint, double weight) {
+        if (!(weight > 0)) return;
+        uint32_t at = 0;
+        while (at < count && bound[at].joint != joint) ++at;
+        if (at == count) bound[count++].joint = joint;
+        bound[at].weight += static_cast<float>(weight);
+    };
+    for (uint32_t k = 0; k < ManyJoints::limit; ++k) add(a.joints[k], (1 - share) * static_cast<double>(a.weights[k]));
+    for (uint32_t k = 0; k < ManyJoints::limit; ++k) add(b.joints[k], share * static_cast<double>(b.weights[k]));
+    std::sort(bound.begin(), bound.begin() + count);
+    for (uint32_t k = 0; k < ManyJoints::limit; ++k) {
+        a.weights[k] = bound[k].weight;
+        a.joints[k] = bound[k].joint;
+    }
 }
 
 void mix_weights(VertexJoints& joints_a, VertexWeights& a, const VertexJoints& joints_b, const VertexWeights& b,

@@ -42,6 +42,22 @@ struct BoneWeights {
     Buffer<VertexWeights> weights;
 };
 
+// The largest weights of a vertex, in descending order; 0 and any joint behind the last.
+struct ManyJoints {
+    static constexpr uint32_t limit = 12;
+    std::array<float, limit> weights;
+    std::array<uint16_t, limit> joints;
+};
+
+// Before all but four a vertex are given up (four_joints.h).
+struct ManyWeights {
+    Buffer<ManyJoints> of_vertex;
+    Buffer<double> spread;  // T: the square of how far they are spread
+};
+
+// Makes the first's weights (1 - share) of them and `share` of the second's, in the twelve largest.
+void mix_weights(ManyJoints& a, const ManyJoints& b, double share);
+
 // Makes the first's weights (1 - share) of them and `share` of the second's, in the four largest, continuously.
 void mix_weights(VertexJoints& joints_a, VertexWeights& a, const VertexJoints& joints_b, const VertexWeights& b,
                  double share);
@@ -55,6 +71,10 @@ struct BoneRig {
 // For a surface of these parts, whose numbers the bones have. `mesh` and what the others show outlive the task. Takes
 // about 7 us a vertex, and 0.6 us a vertex for each eight joints. Throws, with a sentence, if something is out of range
 // or not finite.
+Task<ManyWeights> many_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
+                               BoneWeightOptions options);
+
+// The same, of four joints a vertex.
 Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<const PlacedPart> parts, BoneRig rig,
                                BoneWeightOptions options);
 

@@ -4,19 +4,22 @@
 #include <algorithm>
 #include <bit>
 
+#include "inflation/pivots.h"
+#include "runtime/each.h"
+
 namespace flg {
 namespace {
 
-constexpr uint32_t most = ManyJoints::limit, not_there = UINT32_MAX;
+constexpr uint32_t most = ManyJoints::limit;
 constexpr double cut_off = 0.005;      // weights below it become 0, others are less by it
-constexpr double alike_share = 0.25;   // of how far weights are spread: joints that are so near move a point alike
+constexpr double alike_share = 0.1;    // of how far weights are spread: joints that are so near move a point alike
 constexpr double choice_share = 4;     // of that too: how much the weight counts where joints are chosen
 constexpr double least_taken = 0.001;  // the weight that any joint takes with
-constexpr double loss_fading = 0.6;    // from vertex to vertex
-constexpr uint32_t loss_rings = 4;
-constexpr float loss_that_matters = 0.03f;
-constexpr float hold = 0.01f;  // to what a vertex had, by what it lost: its neighbours together pull by 1
-constexpr uint32_t sweeps = 16;
+constexpr double loss_fading = 0.8;    // from vertex to vertex
+constexpr uint32_t loss_rings = 8;
+constexpr float loss_that_matters = 0.015f;
+constexpr float hold = 0.005f;  // to what a vertex had, by what it lost: its neighbours together pull by 1
+constexpr uint32_t sweeps = 48;
 
 using Four = std::array<float, 4>;
 
@@ -100,7 +103,7 @@ private:
 
 class FourJoints {
 public:
-    FourJoints(Pace& pace, const MergedMesh& mesh, const Groups& corners, ManyWeights many, const Pivots& pivots)
+    FourJoints(Pace& pace, const MergedMesh& mesh, const Groups& corners, const ManyWeights& many, const Pivots& pivots)
         : pace_(pace),
           mesh_(mesh),
           corners_(corners),
@@ -234,6 +237,9 @@ private:
                 }
             }
             for (uint32_t k = first_[i]; k < at; ++k) neighbours_[k].pull /= static_cast<float>(sum);
+            // Where edges are short, as beside a border, a vertex stands for less of the surface.
+            const double length = (at - first_[i]) / (sum * mesh_.spacing);
+            spreads_[i].hold *= static_cast<float>(std::min(1.0, length * length));
         });
     }
 
@@ -273,7 +279,7 @@ private:
     Pace& pace_;
     const MergedMesh& mesh_;
     const Groups& corners_;
-    const ManyWeights many_;
+    const ManyWeights& many_;
     const Pivots& pivots_;
     Buffer<Chosen> chosen_;
     Buffer<Four> weights_;
@@ -285,8 +291,10 @@ private:
 
 }  // namespace
 
-Task<BoneWeights> keep_four_joints(Pace& pace, const MergedMesh& mesh, const Groups& corners, ManyWeights many,
-                                   const Pivots& pivots) {
+Task<BoneWeights> keep_four_joints(Pace& pace, const MergedMesh& mesh, const ManyWeights& many, BoneRig rig) {
+    const Groups corners = co_await group_by(pace, 3 * mesh.triangles.size(), mesh.positions.size(),
+                                             [&](uint32_t i) { return mesh.triangles[i / 3][i % 3]; });
+    const Pivots pivots = co_await Pivots::make(pace, rig);
     FourJoints four(pace, mesh, corners, many, pivots);
     co_return co_await four.run();
 }

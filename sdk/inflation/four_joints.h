@@ -7,28 +7,11 @@
 // neighbours have of others goes to those that move alike. The less a vertex lost, the more it keeps what it had.
 #pragma once
 
-#include <array>
-
 #include "inflation/bone_weights.h"
-#include "inflation/pivots.h"
-#include "runtime/each.h"
 
 namespace flg {
 
-// The largest weights of a vertex, in descending order; 0 and any joint behind the last.
-struct ManyJoints {
-    static constexpr uint32_t limit = 12;
-    std::array<float, limit> weights;
-    std::array<uint16_t, limit> joints;
-};
-
-struct ManyWeights {
-    std::span<const ManyJoints> of_vertex;
-    std::span<const double> spread;  // the square of how far they are spread
-};
-
-// `corners`: of the mesh's triangles, by vertex. Takes about 1 us a vertex, 5 where more than four joints matter.
-Task<BoneWeights> keep_four_joints(Pace& pace, const MergedMesh& mesh, const Groups& corners, ManyWeights many,
-                                   const Pivots& pivots);
+// All outlive the task. Takes about 1 us a vertex, 5 where more than four joints matter.
+Task<BoneWeights> keep_four_joints(Pace& pace, const MergedMesh& mesh, const ManyWeights& many, BoneRig rig);
 
 }  // namespace flg

@@ -366,25 +366,24 @@ Task<EvenMesh> merge_evenly(Pace& pace, std::span<const PlacedPart> placed, Merg
 namespace {
 
 // Of a mesh that was cut.
-Task<BoneWeights> carried(Pace& pace, const BoneWeights& weights, std::span<const BorderOrigin> origins) {
+Task<ManyWeights> carried(Pace& pace, const ManyWeights& weights, std::span<const BorderOrigin> origins) {
     const size_t all = origins.size();
-    BoneWeights out{Buffer<VertexJoints>(all, pace.memory()), Buffer<VertexWeights>(all, pace.memory())};
-    co_await each(pace, all, Cost::tens_of_ns, [&](uint32_t v) {
+    ManyWeights out{Buffer<ManyJoints>(all, pace.memory()), Buffer<double>(all, pace.memory())};
+    co_await each(pace, all, Cost::hundreds_of_ns, [&](uint32_t v) {
         const auto& [of, shares] = origins[v];
-        out.joints[v] = weights.joints[of[0]];
-        out.weights[v] = weights.weights[of[0]];
-        if (shares[1] > 0)
-            mix_weights(out.joints[v], out.weights[v], weights.joints[of[1]], weights.weights[of[1]],
-                        shares[1] / (shares[0] + shares[1]));
-        if (shares[2] > 0)
-            mix_weights(out.joints[v], out.weights[v], weights.joints[of[2]], weights.weights[of[2]], shares[2]);
+        out.of_vertex[v] = weights.of_vertex[of[0]];
+        out.spread[v] = 0;
+        for (uint32_t k = 0; k < 3; ++k)
+            if (shares[k] > 0) out.spread[v] += shares[k] * weights.spread[of[k]];
+        if (shares[1] > 0) mix_weights(out.of_vertex[v], weights.of_vertex[of[1]], shares[1] / (shares[0] + shares[1]));
+        if (shares[2] > 0) mix_weights(out.of_vertex[v], weights.of_vertex[of[2]], shares[2]);
     });
     co_return out;
 }
 
 }  // namespace
 
-Task<MergedMesh> cut_merged(Pace& pace, EvenMesh& even, BoneWeights* weights) {
+Task<MergedMesh> cut_merged(Pace& pace, EvenMesh& even, ManyWeights* weights) {
     pace.stage("borders");
     MergedMesh& from = even.mesh;
     BorderedMesh cut = co_await cut_at_borders(pace, even.parts,

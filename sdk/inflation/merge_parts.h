@@ -38,7 +38,7 @@ struct MergeOptions {
 // About how long edges get, from the areas of the parts: longer than they are, as parts overlap.
 double expected_spacing(std::span<const PlacedPart> parts, uint32_t vertices);
 
-struct BoneWeights;
+struct ManyWeights;
 
 // The surface before it is cut where it goes from part to part: of even triangles, so weights are best found here.
 struct EvenMesh {
@@ -52,7 +52,7 @@ struct EvenMesh {
 Task<EvenMesh> merge_evenly(Pace& pace, std::span<const PlacedPart> parts, MergeOptions options);
 
 // The cuts. `even` is done with then. Weights, if there are some, are carried along: in between, those in between.
-Task<MergedMesh> cut_merged(Pace& pace, EvenMesh& even, BoneWeights* weights);
+Task<MergedMesh> cut_merged(Pace& pace, EvenMesh& even, ManyWeights* weights);
 
 // Of parts that are inflated; at least one. `parts` and what they point to outlive the task. Takes about 8 us a vertex.
 // Throws, with a sentence, for placements and numbers that are out of range, and if the thinnest part needs more

@@ -55,12 +55,15 @@ FlgFrameReport Runtime::tick(uint32_t budget_us) {
         const uint64_t work_start_ns = host_.now_ns();
         float callbacks_us = 0;
         // Jobs that finish here are published at once if there is time; their callbacks may start new ones.
-        while (host_.now_ns() < deadline_ns && scheduler_.run_next(deadline_ns)) {
+        // A budget that was spent before advances one slice still: every job comes to an end.
+        bool goes_on = budget_us > 0;
+        while (goes_on && scheduler_.run_next(deadline_ns)) {
             scheduler_.publish_progress();
             if (host_.now_ns() >= deadline_ns) break;
             const Scheduler::Published more = scheduler_.publish(deadline_ns, &callbacks_us);
             published.count += more.count;
             published.late += more.late;
+            goes_on = host_.now_ns() < deadline_ns;
         }
         report.callback_us += callbacks_us;
         report.work_us = static_cast<float>(host_.now_ns() - work_start_ns) * 1e-3f - callbacks_us;

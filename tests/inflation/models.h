@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "inflation/bone_weights.h"
+#include "inflation/four_joints.h"
 #include "inflation/merge_parts.h"
 #include "inflation/shapes.h"
 
@@ -58,6 +59,14 @@ inline MergedMesh merged(const Model& model, const MergeOptions& options = {}, b
 inline BoneWeights weights_of(const MergedMesh& mesh, const Model& model, const BoneWeightOptions& options = {},
                               bool haltingly = false) {
     return made([&](Pace& pace) { return bone_weights(pace, mesh, model.parts, model.rig(), options); }, haltingly);
+}
+
+inline ManyWeights many_weights_of(const MergedMesh& mesh, const Model& model) {
+    return made([&](Pace& pace) { return many_weights(pace, mesh, model.parts, model.rig(), {}); }, false);
+}
+
+inline BoneWeights four_of(const MergedMesh& mesh, const ManyWeights& many, const Model& model) {
+    return made([&](Pace& pace) { return keep_four_joints(pace, mesh, many, model.rig()); }, false);
 }
 
 // A body with a head, four legs, a tail and an ear, symmetric but for the last three.

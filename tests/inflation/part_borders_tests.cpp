@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 #include "inflation/closed_mesh.h"
 #include "inflation/models.h"
@@ -115,14 +116,15 @@ TEST(PartBorders, WeightsStayWhereTheyAre) {
             high = std::max(high, p[axis]);
         }
         // Two joints, by one coordinate.
-        BoneWeights weights{Buffer<VertexJoints>(positions.size(), test_memory()),
-                            Buffer<VertexWeights>(positions.size(), test_memory())};
+        ManyWeights weights{Buffer<ManyJoints>(positions.size(), test_memory()),
+                            Buffer<double>(positions.size(), test_memory())};
         for (size_t v = 0; v < positions.size(); ++v) {
             const double share = (positions[v][axis] - low) / (high - low);
             const bool is_most = share >= 0.5;
-            weights.joints[v] = {uint16_t{is_most}, uint16_t{!is_most}, 0, 0};
-            weights.weights[v] = {static_cast<float>(is_most ? share : 1 - share),
-                                  static_cast<float>(is_most ? 1 - share : share), 0, 0};
+            weights.of_vertex[v] = {
+                {static_cast<float>(is_most ? share : 1 - share), static_cast<float>(is_most ? 1 - share : share)},
+                {uint16_t{is_most}, uint16_t{!is_most}}};
+            weights.spread[v] = share;
         }
         EvenMesh again = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = 3000}); }, false);
         const MergedMesh mesh = made([&](Pace& pace) { return cut_merged(pace, again, &weights); }, false);
@@ -132,7 +134,9 @@ TEST(PartBorders, WeightsStayWhereTheyAre) {
             ++changed;
             double at = low;
             for (uint32_t k = 0; k < 2; ++k)
-                if (weights.joints[v][k] == 1) at += static_cast<double>(weights.weights[v][k]) * (high - low);
+                if (weights.of_vertex[v].joints[k] == 1)
+                    at += static_cast<double>(weights.of_vertex[v].weights[k]) * (high - low);
+            EXPECT_NEAR(low + weights.spread[v] * (high - low), at, 1e-5 * (high - low));
             const Vec3 nearest = nearest_on(positions, triangles, mesh.positions[v], 3 * mesh.spacing);
             far += std::fabs(at - nearest[axis]) > 0.15 * mesh.spacing;
         }
@@ -146,35 +150,44 @@ TEST(PartBorders, WeightsAreNoSteeperBesideThem) {
     const Model model = animal();
     for (const uint32_t count : {3000u, 10000u}) {
         EvenMesh even = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = count}); }, false);
-        BoneWeights weights = weights_of(even.mesh, model);
-        const double before = slope_of(even.mesh, weights);
+        const double before = slope_of(even.mesh, weights_of(even.mesh, model));
+        ManyWeights weights = many_weights_of(even.mesh, model);
         const MergedMesh mesh = made([&](Pace& pace) { return cut_merged(pace, even, &weights); }, false);
-        EXPECT_LT(slope_of(mesh, weights), 1.5 * before) << count;
+        EXPECT_LT(slope_of(mesh, four_of(mesh, weights, model)), 1.5 * before) << count;
     }
 }
 
-// Weights are sorted and sum to 1; where nothing moved they are as they were.
+// Weights are sorted and sum to 1, but for those of a thirteenth joint; where nothing moved they are as they were.
 TEST(PartBorders, CarryWeights) {
     const Model model = animal();
     EvenMesh even = made([&](Pace& pace) { return merge_evenly(pace, model.parts, {.vertices = 3000}); }, false);
-    const BoneWeights before = weights_of(even.mesh, model);
-    BoneWeights weights = weights_of(even.mesh, model);
+    const ManyWeights before = many_weights_of(even.mesh, model);
+    ManyWeights weights = many_weights_of(even.mesh, model);
     const std::vector<Vec3> positions(even.mesh.positions.begin(), even.mesh.positions.end());
     const MergedMesh mesh = made([&](Pace& pace) { return cut_merged(pace, even, &weights); }, false);
     size_t moved = 0;
-    ASSERT_GT(mesh.positions.size(), before.weights.size() + 50);
-    ASSERT_EQ(weights.weights.size(), mesh.positions.size());
-    for (size_t v = 0; v < mesh.positions.size(); ++v) {
-        double sum = 0;
-        for (const float weight : weights.weights[v]) sum += static_cast<double>(weight);
-        EXPECT_NEAR(sum, 1, 1e-6);
-        EXPECT_GE(weights.weights[v][0], weights.weights[v][1]);
+    ASSERT_GT(mesh.positions.size(), before.of_vertex.size() + 50);
+    ASSERT_EQ(weights.of_vertex.size(), mesh.positions.size());
+    ASSERT_EQ(weights.spread.size(), mesh.positions.size());
+    for (const VertexWeights& four : four_of(mesh, weights, model).weights) {
+        EXPECT_NEAR(std::accumulate(four.begin(), four.end(), 0.0), 1, 1e-6);
+        EXPECT_TRUE(std::is_sorted(four.rbegin(), four.rend()));
     }
-    for (size_t v = 0; v < before.weights.size(); ++v) {
-        if (mesh.positions[v] != positions[v])
+    for (const ManyJoints& many : weights.of_vertex) {
+        EXPECT_NEAR(std::accumulate(many.weights.begin(), many.weights.end(), 0.0), 1, 1e-3);
+        EXPECT_TRUE(std::is_sorted(many.weights.rbegin(), many.weights.rend()));
+        for (uint32_t k = 1; k < ManyJoints::limit; ++k)
+            for (uint32_t other = 0; other < k; ++other)
+                EXPECT_TRUE(many.weights[k] == 0 || many.joints[k] != many.joints[other]);
+    }
+    for (size_t v = 0; v < before.of_vertex.size(); ++v) {
+        if (mesh.positions[v] != positions[v]) {
             ++moved;
-        else
-            EXPECT_TRUE(before.weights[v] == weights.weights[v] && before.joints[v] == weights.joints[v]) << v;
+            continue;
+        }
+        EXPECT_EQ(before.of_vertex[v].weights, weights.of_vertex[v].weights) << v;
+        EXPECT_EQ(before.of_vertex[v].joints, weights.of_vertex[v].joints) << v;
+        EXPECT_EQ(before.spread[v], weights.spread[v]) << v;
     }
     EXPECT_GT(moved, 20u);
 }

@@ -32,6 +32,19 @@ TEST_F(WithoutWorkers, TickStopsAtItsBudgetAndGoesOnNextTime) {
     EXPECT_EQ(job->status.result, FLG_OK);
 }
 
+// A slow clock or a slow callback takes all of a small budget, in every frame.
+TEST_F(WithoutWorkers, ABudgetThatIsSpentBeforeTheWorkStillAdvancesIt) {
+    clock.step_ns = 10'000;
+    Runtime runtime(desc(clock), &memory, memory.large_blocks);
+    uint64_t sum = 0;
+    const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 100, 1, &sum); });
+    int ticks = 1;
+    while (runtime.tick(1).jobs_pending > 0 && ticks < 200) ++ticks;
+    EXPECT_LT(ticks, 200);
+    EXPECT_EQ(sum, expected_hash_sum(100));
+    EXPECT_EQ(job->status.result, FLG_OK);
+}
+
 // What is left of a frame may be nothing.
 TEST_F(WithoutWorkers, ABudgetOfZeroAdvancesNothing) {
     Runtime runtime(desc(clock), &memory, memory.large_blocks);

@@ -49,8 +49,8 @@ TEST_F(Rigs, SamplesStretchLittle) {
         if (entry.path().extension() != ".json") continue;
         std::ifstream file(entry.path());
         const Json rig = quality({entry.path().stem(), Json::parse(file)});
-        // Its worst edge is beside a border, where short edges have other joints at either end.
-        const double most = entry.path().stem() == "panda" ? 3.5 : 3;
+        // Between its hind legs six joints matter alike.
+        const double most = entry.path().stem() == "deer" ? 3.05 : 3;
         EXPECT_LT(rig.at("largest_stretch").get<double>(), most) << entry.path() << " " << rig;
         EXPECT_LT(rig.at("largest_weight_jump").get<double>(), 0.36) << entry.path() << " " << rig;
     }

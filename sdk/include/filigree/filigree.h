@@ -237,10 +237,10 @@ typedef struct FlgFrameReport {
 FLG_API FlgResult flgFrameReportInit(FlgFrameReport* report, uint32_t struct_size);
 
 /* Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their callbacks, and,
- * in a context without workers, advances jobs until it is spent. 0 publishes one job at most and advances none; with
- * FLG_UNLIMITED a context without workers runs all its jobs to the end. Ends at most one slice after its budget.
- * `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results released before their job
- * was done, at the cost of their release. */
+ * in a context without workers, advances jobs until it is spent, by one slice at least. A budget of 0 publishes at most
+ * one job and advances none; with FLG_UNLIMITED a context without workers runs all its jobs to the end. Ends at most
+ * one slice after its budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees
+ * results released before their job was done, at the cost of their release. */
 FLG_API FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
 
 /* What memory is for. */
