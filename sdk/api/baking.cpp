@@ -53,13 +53,13 @@ void read_values(const FlgTangleBakeDesc& desc, Memory* memory, BakeRequest& req
                 desc.component_count, "1 to 16 with blends");
     check_range(desc.region_count >= 1 && desc.region_count <= FLG_REGION_MAX + 1, "desc.region_count",
                 desc.region_count, "1 to FLG_REGION_MAX + 1 with blends");
-    const float* const values = &require(desc.region_values, "desc.region_values");
+    const float* const values = &require(desc.blend_values, "desc.blend_values");
     const size_t count = size_t{desc.component_count} * desc.region_count;
     request.region_values = Buffer<float>(count, memory);
     for (size_t i = 0; i < count; ++i) {
         if (!is_coordinate(values[i])) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "desc.region_values[%zu] is %g, must be finite and at most 1e30 in size", i,
+                          "desc.blend_values[%zu] is %g, must be finite and at most 1e30 in size", i,
                           static_cast<double>(values[i]));
         }
         request.region_values[i] = values[i];

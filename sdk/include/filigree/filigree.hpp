@@ -2407,13 +2407,6 @@ struct TangleBakeDesc : FlgTangleBakeDesc {
         flgTangleBakeDescInit(this, detail::size_of<FlgTangleBakeDesc>);
         tangle = tangle_;
     }
-    /// Sets region_values and component_count. The array must live until the descriptor is used.
-    void set_region_values(Span<const float> values) {
-        region_values = values.data();
-        component_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_region_values(std::initializer_list<float>) = delete;
 };
 
 /// What to make, and of which curves.

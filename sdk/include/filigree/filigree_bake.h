@@ -40,19 +40,22 @@ typedef struct FlgTangleBakeDesc {
     uint32_t padding;         /* texels, 0 to FLG_BAKE_MAX_PADDING. Default 16 */
     float border_width;       /* of the lines in `borders`, metres, >= 0 and finite. Default 0.01 */
     uint32_t component_count; /* of `blends`, 1 to 16 where that is wanted. Default 0 */
-    const float* region_values; /* component_count per region of the tangle, finite: colours, roughness; copied */
+    const float* blend_values; /* by region of the tangle, component_count each, finite: colours, roughness; copied */
     uint32_t region_count;    /* that have values; at least the tangle's */
     uint32_t reserved;
     uint32_t* ids;      /* 1 per texel: the leaf there, the label of its triangles. Background: FLG_NO_INDEX */
-    float* distances;   /* 1: metres to the nearest border that is seen, by the straight line to that piece of it that
-                           is nearest along the surface. Infinite where there is none, and in the background */
+    float* distances;   /* 1: metres to the nearest border that is seen, by the straight line to one of the pieces that
+                           are nearest to the corners of the cut triangle there. That is never less than the distance
+                           to the border; inside triangles much larger than the pattern it may be more, by at most
+                           about twice the way to the nearest corner. Infinite where there is no border, and in the
+                           background */
     uint8_t* borders;   /* 1: how much of the texel a line along the borders that are seen covers, 0 to 255.
                            Background: 0 */
     float* heights;     /* 1: how far displacement raised the surface along the mesh's smooth normals, metres; below
                            0: sunk. Background: 0 */
     float* normals;     /* 3: the displaced surface's, of length 1, relative to the mesh's: x along rising u, y along
                            falling v (up in the picture, as in glTF), z outwards. Background: 0 0 1 */
-    float* blends;      /* component_count: region_values of the leaf; across borders that are seen, the mean of both
+    float* blends;      /* component_count: blend_values of the leaf; across borders that are seen, the mean of both
                            sides by how much of the texel they cover. Background: 0 */
 } FlgTangleBakeDesc;
 

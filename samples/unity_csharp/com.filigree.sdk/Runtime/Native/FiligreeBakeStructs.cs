@@ -29,16 +29,18 @@ namespace Filigree
         public float border_width;
         /// <summary>of `blends`, 1 to 16 where that is wanted. Default 0</summary>
         public uint component_count;
-        /// <summary>component_count per region of the tangle, finite: colours, roughness; copied</summary>
-        public float* region_values;
+        /// <summary>by region of the tangle, component_count each, finite: colours, roughness; copied</summary>
+        public float* blend_values;
         /// <summary>that have values; at least the tangle's</summary>
         public uint region_count;
         public uint reserved;
         /// <summary>1 per texel: the leaf there, the label of its triangles. Background: FLG_NO_INDEX</summary>
         public uint* ids;
         /// <summary>
-        /// 1: metres to the nearest border that is seen, by the straight line to that piece of it that is nearest along
-        /// the surface. Infinite where there is none, and in the background
+        /// 1: metres to the nearest border that is seen, by the straight line to one of the pieces that are nearest to
+        /// the corners of the cut triangle there. That is never less than the distance to the border; inside triangles
+        /// much larger than the pattern it may be more, by at most about twice the way to the nearest corner. Infinite
+        /// where there is no border, and in the background
         /// </summary>
         public float* distances;
         /// <summary>
@@ -56,7 +58,7 @@ namespace Filigree
         /// </summary>
         public float* normals;
         /// <summary>
-        /// component_count: region_values of the leaf; across borders that are seen, the mean of both sides by how much
+        /// component_count: blend_values of the leaf; across borders that are seen, the mean of both sides by how much
         /// of the texel they cover. Background: 0
         /// </summary>
         public float* blends;
