@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "surfaces/mesh/fan_walk.h"
 
@@ -62,37 +63,83 @@ public:
     void begin(uint32_t v) {
         if (distances_[v] == 0) queue_.push(v);
     }
-    bool at_end() const { return queue_.empty(); }
-    // Offers a vertex's pieces to its neighbours; returns how many it offered.
-    uint32_t offer() {
-        const uint32_t v = queue_.pop();
+    // Offers vertices' pieces to their neighbours, about so many; returns how many, 0 once nothing is left.
+    uint32_t offer(uint32_t units) {
         uint32_t offered = 0;
-        visit_fan(mesh_, v, [&](uint32_t neighbour, Corner) {
-            ++offered;
-            const Vec3 place = load_vec3(places_[neighbour].data());
-            // What is nearer already than any of them can be.
-            const double way = (place - load_vec3(places_[v].data())).norm();
-            if (double{distances_[neighbour]} <= double{distances_[v]} - way) return;
-            borders_.visit_near(v, [&](uint32_t piece) {
-                ++offered;
-                const auto [a, b] = borders_.pieces[piece].ends;
-                const auto found = static_cast<float>(
-                    std::sqrt(distance_sq(place, load_vec3(places_[a].data()), load_vec3(places_[b].data()))));
-                if (found >= distances_[neighbour]) return;
-                distances_[neighbour] = found;
-                borders_.nearest[neighbour] = piece;
-                queue_.push(neighbour);
-            });
-        });
+        while (offered < units && (vertex_ != no_index || next_vertex())) {
+            const auto room = static_cast<size_t>(units - offered);
+            const size_t stop = is_near_enough() ? piece_ : std::min(piece_count(), piece_ + room);
+            offered += 1 + static_cast<uint32_t>(stop - piece_);
+            const bool is_whole = stop == piece_ || stop == piece_count();
+            for (; piece_ < stop; ++piece_) offer_piece();
+            if (is_whole) next_neighbour();
+        }
         return offered;
     }
 
 private:
+    bool next_vertex() {
+        if (queue_.empty()) return false;
+        vertex_ = queue_.pop();
+        first_ = triangle_ = triangle_of(mesh_.corner_of_vertex[vertex_]);
+        is_last_ = false;
+        place_ = load_vec3(places_[vertex_].data());
+        const auto here = borders_.at_vertex.of(vertex_);
+        const auto& ends = borders_.pieces[borders_.nearest[vertex_]].ends;
+        lists_ = {here.empty() ? borders_.at_vertex.of(ends[0]) : here, {}};
+        if (here.empty()) lists_[1] = borders_.at_vertex.of(ends[1]);
+        begin_neighbour(mesh_.triangles[triangle_][following_corner(place_in(mesh_.triangles[triangle_], vertex_))]);
+        return true;
+    }
+    void next_neighbour() {
+        if (is_last_) {
+            vertex_ = no_index;
+            return;
+        }
+        const Triple& vertices = mesh_.triangles[triangle_];
+        const uint32_t previous = following_corner(following_corner(place_in(vertices, vertex_)));
+        const uint32_t last = vertices[previous];
+        triangle_ = mesh_.neighbours[triangle_][previous];
+        is_last_ = triangle_ == first_ || triangle_ == no_index;
+        if (is_last_) return begin_neighbour(last);
+        const Triple& following = mesh_.triangles[triangle_];
+        begin_neighbour(following[following_corner(place_in(following, vertex_))]);
+    }
+    void begin_neighbour(uint32_t vertex) {
+        neighbour_ = vertex;
+        neighbour_place_ = load_vec3(places_[vertex].data());
+        piece_ = 0;
+    }
+    size_t piece_count() const { return lists_[0].size() + lists_[1].size(); }
+    // Nearer already than any of the pieces can be.
+    bool is_near_enough() const {
+        const float known = distances_[neighbour_];
+        return known == 0 || double{known} <= double{distances_[vertex_]} - (neighbour_place_ - place_).norm();
+    }
+    void offer_piece() {
+        const size_t first = lists_[0].size();
+        const uint32_t piece = (piece_ < first ? lists_[0][piece_] : lists_[1][piece_ - first]) / 2;
+        const auto [a, b] = borders_.pieces[piece].ends;
+        const auto found = static_cast<float>(
+            std::sqrt(distance_sq(neighbour_place_, load_vec3(places_[a].data()), load_vec3(places_[b].data()))));
+        if (found >= distances_[neighbour_]) return;
+        distances_[neighbour_] = found;
+        borders_.nearest[neighbour_] = piece;
+        queue_.push(neighbour_);
+    }
+
     const Mesh& mesh_;
     const Buffer<Position>& places_;
     BorderPieces& borders_;
     Buffer<float> distances_;
     VertexQueue queue_;
+    // Whose pieces are offered, and to which neighbour; no_index: none's.
+    uint32_t vertex_ = no_index, neighbour_ = no_index;
+    Vec3 place_, neighbour_place_;
+    uint32_t first_ = 0, triangle_ = 0;  // of the fan: where it began, where it is
+    bool is_last_ = false;               // neighbour of the fan
+    std::array<std::span<const uint32_t>, 2> lists_;
+    size_t piece_ = 0;  // of the lists together
 };
 
 }  // namespace
@@ -118,8 +165,13 @@ Task<BorderPieces> find_border_pieces(Pace& pace, const Mesh& mesh, const Region
     NearestPieces nearest(mesh, places, borders, pace.memory());
     co_await each(pace, mesh.vertex_count(), Cost::some_ns, [&](uint32_t v) { nearest.clear(v); });
     co_await each(pace, mesh.vertex_count(), Cost::some_ns, [&](uint32_t v) { nearest.begin(v); });
-    for (Slice slice(Cost::tens_of_ns); !nearest.at_end();)
-        if (slice.is_over(nearest.offer())) co_await pace;
+    Slice slice(Cost::tens_of_ns);
+    while (const uint32_t offered = nearest.offer(slice.left()))
+        if (slice.is_over(offered)) co_await pace;
+    while (!found.empty()) {
+        found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min<size_t>(found.size(), 2048)));
+        co_await pace;
+    }
     co_return borders;
 }
 
