@@ -65,6 +65,66 @@ TEST_F(Tangle, SameBitsWithAnyWorkersAndBudget) {
     EXPECT_TRUE(folder.read("masks.ply") == expected);
 }
 
+// A square of two materials side by side, each with a half of the texture.
+const char* const kPanels =
+    "mtllib panels.mtl\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
+    "vt 0 0\nvt 0.5 0\nvt 1 0\nvt 0 1\nvt 0.5 1\nvt 1 1\n"
+    "usemtl wood\nf 1/1 2/2 5/5 4/4\nusemtl iron\nf 2/2 3/3 6/6 5/5\n";
+const char* const kPanelLooks = "newmtl wood\nKd 0.5 0.3 0.1\nnewmtl iron\nKd 0.2 0.2 0.2\n";
+const char* const kPanelScript = R"({
+  "unit": "metres",
+  "operations": [{"name": "rim", "op": "contour", "on": "root", "from": {"borders": "outer"}, "delta": 0.2}],
+  "materials": [{"name": "gold", "on": "rim.foreground", "color": [1, 0.8, 0.2]}]})";
+
+TEST_F(Tangle, BakesASetOfMapsForEachMaterial) {
+    folder.write("panels.obj", kPanels);
+    folder.write("panels.mtl", kPanelLooks);
+    folder.write("script.json", kPanelScript);
+    done({"tangle", "panels.obj", "script.json", "-o", "baked", "--bake", "64", "--quiet"});
+    const nlohmann::json said = report("baked.json");
+    EXPECT_EQ(said.at("size"), 64);
+    ASSERT_EQ(said.at("sets").size(), 2);
+    EXPECT_EQ(said.at("sets")[0].at("material"), "wood");
+    EXPECT_EQ(said.at("sets")[1].at("material"), "iron");
+    for (const nlohmann::json& set : said.at("sets")) {
+        ASSERT_EQ(set.at("maps").size(), 7);
+        for (const auto& [map, about] : set.at("maps").items()) {
+            const std::string png = folder.read(about.at("file"));
+            EXPECT_EQ(png.substr(1, 3), "PNG") << map;
+            const bool is_deep = map == "ids" || map == "distance" || map == "height";
+            ASSERT_GT(png.size(), 33u);
+            EXPECT_EQ(png[19], 64) << map;
+            EXPECT_EQ(png[24], is_deep ? 16 : 8) << map;
+        }
+    }
+    // The middle of the 2 m by 1 m panels is 0.5 m from the border, which lies 0.2 m inside the edge.
+    const nlohmann::json& distance = said.at("sets")[0].at("maps").at("distance");
+    EXPECT_NEAR(distance.at("metres_per_step").get<double>() * 65534, 0.3, 0.02);
+}
+
+TEST_F(Tangle, BakesTheSameWithAnyWorkersAndBudget) {
+    folder.write("panels.obj", kPanels);
+    folder.write("panels.mtl", kPanelLooks);
+    folder.write("script.json", kPanelScript);
+    done({"tangle", "panels.obj", "script.json", "-o", "a", "--bake", "64", "--workers", "0", "--quiet"});
+    done({"tangle", "panels.obj", "script.json", "-o", "b", "--bake", "64", "--workers", "3", "--budget", "100",
+          "--quiet"});
+    for (const std::string map : {"ids", "distance", "borders", "height", "normal", "color", "material"})
+        EXPECT_TRUE(folder.read("a.0." + map + ".png") == folder.read("b.0." + map + ".png")) << map;
+}
+
+TEST_F(Tangle, SaysWhyItCantBake) {
+    folder.write("script.json", kScript);
+    const Outcome outcome = run({"tangle", "sphere.off", "script.json", "-o", "baked", "--bake", "64", "--quiet"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("sphere.off: has no texture coordinates"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("unwrap it first"), std::string::npos) << outcome.err;
+    for (const std::string size : {"0", "16385", "-1", "many"})
+        EXPECT_EQ(run({"tangle", "sphere.off", "script.json", "-o", "baked", "--bake", size}).status, 2) << size;
+    EXPECT_EQ(run({"tangle", "sphere.off", "script.json", "-o", "baked", "--bake", "64", "--maps", "hue"}).status, 2);
+    EXPECT_EQ(run({"tangle", "sphere.off", "script.json", "-o", "out.glb", "--maps", "ids"}).status, 2);
+}
+
 TEST_F(Tangle, ScriptsThatCantBeRunSayWhere) {
     expect_refused("{", "script.json");
     expect_refused("[]", "must be an object");
