@@ -119,6 +119,12 @@ void check_overlaps(const Canvas& canvas) {
     if (few * count > texels) refuse_overlap(all, canvas.request.size);
 }
 
+template <class T>
+Task<void> release(Pace& pace, Buffer<T>& buffer) {
+    buffer = {};
+    co_await pace;
+}
+
 }  // namespace
 
 Task<void> bake_tangle(Pace& pace, std::shared_ptr<const Tangle> tangle, BakeRequest request) {
@@ -151,26 +157,22 @@ Task<void> bake_tangle(Pace& pace, std::shared_ptr<const Tangle> tangle, BakeReq
     pace.stage("padding");
     co_await pad_charts(pace, canvas);
     // Large buffers go back one at a time.
-    const auto release = [&pace](auto& buffer) -> Pace& {
-        buffer = {};
-        return pace;
-    };
-    co_await release(canvas.shape.places);
-    co_await release(canvas.shape.heights);
-    co_await release(canvas.shape.slopes);
-    co_await release(canvas.borders.pieces);
-    co_await release(canvas.borders.at_vertex.offsets);
-    co_await release(canvas.borders.at_vertex.items);
-    co_await release(canvas.borders.nearest);
-    co_await release(canvas.triangles);
-    co_await release(canvas.mesh_triangles.offsets);
-    co_await release(canvas.mesh_triangles.items);
-    co_await release(canvas.in_band.offsets);
-    co_await release(canvas.in_band.items);
-    co_await release(canvas.covered);
-    co_await release(request.positions);
-    co_await release(request.corner_uvs);
-    co_await release(request.labels);
+    co_await release(pace, canvas.shape.places);
+    co_await release(pace, canvas.shape.heights);
+    co_await release(pace, canvas.shape.slopes);
+    co_await release(pace, canvas.borders.pieces);
+    co_await release(pace, canvas.borders.at_vertex.offsets);
+    co_await release(pace, canvas.borders.at_vertex.items);
+    co_await release(pace, canvas.borders.nearest);
+    co_await release(pace, canvas.triangles);
+    co_await release(pace, canvas.mesh_triangles.offsets);
+    co_await release(pace, canvas.mesh_triangles.items);
+    co_await release(pace, canvas.in_band.offsets);
+    co_await release(pace, canvas.in_band.items);
+    co_await release(pace, canvas.covered);
+    co_await release(pace, request.positions);
+    co_await release(pace, request.corner_uvs);
+    co_await release(pace, request.labels);
 }
 
 }  // namespace flg

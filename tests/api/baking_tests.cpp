@@ -196,7 +196,9 @@ TEST(Baking, IdsAndHeightsAreThoseOfTheCutMesh) {
     float highest = 0;
     for (size_t i = 0; i < seen.size(); ++i) {
         ASSERT_NE(seen[i].label, FLG_NO_INDEX);
-        if (maps.distances[i] > 1e-4f) EXPECT_EQ(maps.ids[i], seen[i].label) << i;
+        if (maps.distances[i] > 1e-4f) {
+            EXPECT_EQ(maps.ids[i], seen[i].label) << i;
+        }
         EXPECT_NEAR(maps.heights[i], seen[i].height, 1e-5f) << i;
         highest = std::max(highest, maps.heights[i]);
     }

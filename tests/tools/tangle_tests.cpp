@@ -74,7 +74,7 @@ const char* const kPanelLooks = "newmtl wood\nKd 0.5 0.3 0.1\nnewmtl iron\nKd 0.
 const char* const kPanelScript = R"({
   "unit": "metres",
   "operations": [{"name": "rim", "op": "contour", "on": "root", "from": {"borders": "outer"}, "delta": 0.2}],
-  "materials": [{"name": "gold", "on": "rim.foreground", "color": [1, 0.8, 0.2]}]})";
+  "materials": [{"name": "gold", "on": "rim.foreground", "color": "#f0c46a"}]})";
 
 TEST_F(Tangle, BakesASetOfMapsForEachMaterial) {
     folder.write("panels.obj", kPanels);
