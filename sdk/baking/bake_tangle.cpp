@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "baking/bake_tangle.h"
 
+#include <exception>
+
 #include "baking/texel_padding.h"
 #include "baking/texel_painter.h"
 #include "core/failure.h"
@@ -119,25 +121,16 @@ void check_overlaps(const Canvas& canvas) {
     if (few * count > texels) refuse_overlap(all, canvas.request.size);
 }
 
-template <class T>
-Task<void> release(Pace& pace, Buffer<T>& buffer) {
-    buffer = {};
-    co_await pace;
-}
-
-}  // namespace
-
-Task<void> bake_tangle(Pace& pace, std::shared_ptr<const Tangle> tangle, BakeRequest request) {
-    const Surface& surface = *tangle->surface;
+Task<void> draw_maps(Pace& pace, Canvas& canvas) {
+    const BakeRequest& request = canvas.request;
+    const Surface& surface = canvas.surface;
     const Mesh& mesh = surface.mesh();
-    check_regions(*tangle, request);
     pace.stage("shape");
-    Canvas canvas(request, surface, tangle->tree, pace.memory());
     canvas.shape = co_await find_shape(pace, surface, request);
     co_await each(pace, request.triangle_count(), Cost::tens_of_ns, [&](uint32_t t) { check_uvs(request, t); });
     if (request.wants_distances()) {
         pace.stage("borders");
-        canvas.borders = co_await find_border_pieces(pace, mesh, tangle->tree, canvas.shape.places);
+        canvas.borders = co_await find_border_pieces(pace, mesh, canvas.tree, canvas.shape.places);
     }
     pace.stage("bands");
     canvas.triangles = Buffer<TexelTriangle>(mesh.triangle_count(), pace.memory());
@@ -156,23 +149,31 @@ Task<void> bake_tangle(Pace& pace, std::shared_ptr<const Tangle> tangle, BakeReq
     check_overlaps(canvas);
     pace.stage("padding");
     co_await pad_charts(pace, canvas);
+}
+
+template <class... T>
+Task<void> release(Pace& pace, Buffer<T>&... buffers) {
+    ((buffers = {}, co_await pace), ...);
+}
+
+}  // namespace
+
+Task<void> bake_tangle(Pace& pace, std::shared_ptr<const Tangle> tangle, BakeRequest request) {
+    check_regions(*tangle, request);
+    Canvas canvas(request, *tangle->surface, tangle->tree, pace.memory());
+    std::exception_ptr failure;
+    try {
+        co_await draw_maps(pace, canvas);
+    } catch (...) {
+        failure = std::current_exception();
+    }
     // Large buffers go back one at a time.
-    co_await release(pace, canvas.shape.places);
-    co_await release(pace, canvas.shape.heights);
-    co_await release(pace, canvas.shape.slopes);
-    co_await release(pace, canvas.borders.pieces);
-    co_await release(pace, canvas.borders.at_vertex.offsets);
-    co_await release(pace, canvas.borders.at_vertex.items);
-    co_await release(pace, canvas.borders.nearest);
-    co_await release(pace, canvas.triangles);
-    co_await release(pace, canvas.mesh_triangles.offsets);
-    co_await release(pace, canvas.mesh_triangles.items);
-    co_await release(pace, canvas.in_band.offsets);
-    co_await release(pace, canvas.in_band.items);
-    co_await release(pace, canvas.covered);
-    co_await release(pace, request.positions);
-    co_await release(pace, request.corner_uvs);
-    co_await release(pace, request.labels);
+    co_await release(pace, canvas.shape.places, canvas.shape.heights, canvas.shape.slopes, canvas.borders.pieces,
+                     canvas.borders.at_vertex.offsets, canvas.borders.at_vertex.items, canvas.borders.nearest,
+                     canvas.triangles, canvas.mesh_triangles.offsets, canvas.mesh_triangles.items,
+                     canvas.in_band.offsets, canvas.in_band.items, canvas.covered, request.positions,
+                     request.corner_uvs, request.labels);
+    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace flg

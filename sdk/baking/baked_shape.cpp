@@ -118,6 +118,8 @@ Task<BakedShape> find_shape(Pace& pace, const Surface& surface, const BakeReques
     co_await each(pace, mesh.vertex_count(), Cost::tens_of_ns, [&](uint32_t v) {
         if (areas[v] > 0) store_vec3(load_vec3(sums[v].data()) / double{areas[v]}, sums[v].data());
     });
+    areas = {};
+    co_await pace;
     co_return shape;
 }
 

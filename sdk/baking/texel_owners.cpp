@@ -44,7 +44,6 @@ bool TexelOwners::Exact::set(const float* uvs, uint32_t size) {
         from[k] = along_x * (parts / 2 - y[k]) - along_y * (parts / 2 - x[k]) - (owns_edge ? 0 : 1);
         dx[k] = -along_y * parts;
         dy[k] = along_x * parts;
-        lengths[k] = std::hypot(static_cast<double>(along_x), static_cast<double>(along_y));
     }
     const auto [west, east] = std::minmax({x[0], x[1], x[2]});
     const auto [north, south] = std::minmax({y[0], y[1], y[2]});
@@ -57,8 +56,11 @@ bool TexelOwners::Exact::set(const float* uvs, uint32_t size) {
 
 double TexelOwners::Exact::depth(uint32_t x, uint32_t y) const {
     double least = static_cast<double>(INT64_MAX);
-    for (uint32_t k = 0; k < 3; ++k) least = std::min(least, static_cast<double>(at(k, x, y)) / lengths[k]);
-    return least / parts;
+    for (uint32_t k = 0; k < 3; ++k) {
+        const double length = std::hypot(static_cast<double>(dx[k]), static_cast<double>(dy[k]));
+        least = std::min(least, static_cast<double>(at(k, x, y)) / length);
+    }
+    return least;  // edges are `parts` times as long in dx and dy
 }
 
 void TexelOwners::begin(uint32_t triangle) {

@@ -57,7 +57,6 @@ private:
         double depth(uint32_t x, uint32_t y) const;  // texels from the nearest edge
 
         std::array<int64_t, 3> from, dx, dy;
-        std::array<double, 3> lengths;
         uint32_t left, right, top, bottom;
     };
     size_t at(uint32_t x, uint32_t y) const { return size_t{y - first_row} * size_ + x; }

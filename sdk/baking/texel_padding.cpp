@@ -101,7 +101,15 @@ uint32_t padding_height(const Canvas& canvas) {
 
 Task<void> pad_band(Pace& pace, const Canvas& canvas, uint32_t band) {
     const uint32_t size = canvas.request.size, height = padding_height(canvas);
-    BandPadding padding(canvas, band * height, std::min(size, (band + 1) * height), pace.memory());
+    const auto words = static_cast<uint32_t>(canvas.words());
+    const uint32_t rows = std::min(size, (band + 1) * height) - band * height;
+    bool is_covered = true;
+    co_await each(pace, band * height * words, (band * height + rows) * words, Cost::some_ns, [&](uint32_t word) {
+        const uint32_t bits = std::min(64u, size - word % words * 64);
+        is_covered &= canvas.covered[word] == UINT64_MAX >> (64 - bits);
+    });
+    if (is_covered) co_return;
+    BandPadding padding(canvas, band * height, band * height + rows, pace.memory());
     Slice slice(Cost::some_ns);
     for (const bool down : {true, false}) {
         for (uint32_t step = 0; step < padding.sweep_rows(); ++step) {
@@ -111,7 +119,6 @@ Task<void> pad_band(Pace& pace, const Canvas& canvas, uint32_t band) {
             }
         }
     }
-    const uint32_t rows = std::min(size, (band + 1) * height) - band * height;
     co_await each_by_work(pace, size_t{rows} * size, Cost::some_ns, [&](uint32_t texel) { return padding.pad(texel); });
 }
 

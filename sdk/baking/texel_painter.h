@@ -6,7 +6,8 @@
 // softly over that.
 #pragma once
 
-#include "baking/border_pieces.h"
+#include "baking/baked_shape.h"
+#include "baking/near_pieces.h"
 #include "baking/texel_owners.h"
 
 namespace flg {
@@ -37,7 +38,7 @@ public:
 
     // Returns what that cost, in units of tens of nanoseconds.
     uint32_t begin(uint32_t triangle);
-    // Paints for about so many units, at least one texel; returns them, 0 once the triangle is whole.
+    // Paints for about so many units; returns them, 0 once the triangle is whole.
     uint32_t run(uint32_t units);
 
 private:
@@ -46,38 +47,34 @@ private:
         double from = 0, dx = 0, dy = 0;
         double at(double x, double y) const { return from + dx * x + dy * y; }
     };
-    // In the plane's own axes, metres.
-    struct NearPiece {
-        float x, y, z, along_x, along_y, along_z, inverse_length_sq;
-        float width;  // of a texel, across it
-        uint32_t piece;
-    };
+    // In units of the plane.
     struct Nearest {
         float distance;
         const NearPiece* piece;  // null: none
     };
 
-    bool place_triangle(uint32_t triangle);
-    void gather(uint32_t triangle);
-    void add_piece(uint32_t piece);
-    void paint(uint32_t x, double right, double down);
-    Nearest nearest(float x, float y) const;
-    float share_of_line(const Nearest& found) const;
+    void set_heights(uint32_t triangle);
+    void begin_row();
+    uint32_t take_texels();
+    void paint(uint32_t x, uint32_t y, const Nearest& found);
+    void paint_height(size_t texel, double right, double down);
+    uint8_t share_of_line(const Nearest& found) const;
     void write_blends(size_t texel, const Nearest& found) const;
 
     const Canvas& canvas_;
     TexelOwners& owners_;
-    std::pmr::vector<NearPiece> near_;
+    const bool wants_distances_, wants_heights_;
+    NearPieces near_;
+    TexelBatch batch_{};
     std::array<Rise, 3> weights_;
-    std::array<double, 3> slack_{};
+    std::array<double, 3> slack_{}, columns_{};  // columns until a weight is one less
     std::array<float, 3> heights_{}, slopes_x_{}, slopes_y_{};
     bool is_flat_ = true;
     uint32_t label_ = 0;
-    Vec3 origin_, axis_x_, axis_y_, axis_z_;     // the plane's
-    std::array<double, 2> corner_{};             // texels: where the origin is
-    double step_x_ = 0, row_x_ = 0, row_y_ = 0;  // metres: one texel on along x, one row on along x and y
-    uint32_t left_ = 0, right_ = 0, x_ = 0, y_ = 0, end_ = 0;
-    uint32_t texel_units_ = 1;
+    TexelPlane plane_;
+    float half_line_ = 0, half_texel_ = 0;         // of borders, and the most of a texel: units of the plane
+    uint32_t left_ = 0, right_ = 0, end_row_ = 0;  // of the triangle; the last column is one of it
+    uint32_t x_ = 0, y_ = 0, stop_ = 0;            // of this row
 };
 
 // What texels show that no triangle covers.

@@ -16,11 +16,12 @@ struct Decorated {
     FlgTangle tangle{};
 };
 
-Decorated begin(Calls& calls) {
+Decorated begin(Calls& calls, uint32_t provenance = 0) {
     FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
     MeshArrays mesh = plane(7);
     const FlgMeshView input = mesh.view();
     desc.mesh = &input;
+    desc.provenance = provenance;
     Decorated made;
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(made.surface), calls.job());
     FLG_CALL(calls, flgTangleCreate, calls.context, made.surface, nullptr, calls.out(made.tangle), calls.job());
@@ -89,17 +90,10 @@ void divide_tangles(Calls& calls) {
 }
 
 void bake_tangles(Calls& calls) {
-    FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
+    const Decorated made = begin(calls, 1);
+    frame(calls, made);
     MeshArrays mesh = plane(7);
     const FlgMeshView input = mesh.view();
-    desc.mesh = &input;
-    desc.provenance = 1;
-    Decorated made;
-    FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(made.surface), calls.job());
-    FLG_CALL(calls, flgTangleCreate, calls.context, made.surface, nullptr, calls.out(made.tangle), calls.job());
-    calls.surfaces.push_back(made.surface);
-    calls.finish();
-    frame(calls, made);
     std::vector<float> uvs;
     float low = INFINITY, high = -INFINITY;
     for (const float value : mesh.positions) low = std::min(low, value), high = std::max(high, value);

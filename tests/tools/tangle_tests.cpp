@@ -113,6 +113,24 @@ TEST_F(Tangle, BakesTheSameWithAnyWorkersAndBudget) {
         EXPECT_TRUE(folder.read("a.0." + map + ".png") == folder.read("b.0." + map + ".png")) << map;
 }
 
+// The second material's two triangles have the same place.
+TEST_F(Tangle, ARefusedBakeWritesNothing) {
+    std::string panels = kPanels;
+    const std::string last = "f 2/2 3/3 6/6 5/5";
+    panels.replace(panels.find(last), last.size(), "f 2/2 3/3 6/6\nf 2/2 6/3 5/6");
+    folder.write("panels.obj", panels);
+    folder.write("panels.mtl", kPanelLooks);
+    folder.write("script.json", kPanelScript);
+    const Outcome outcome =
+        run({"tangle", "panels.obj", "script.json", "-o", "baked.glb", "--bake", "64", "--quiet"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("overlap at "), std::string::npos) << outcome.err;
+    for (const std::string map : {"ids", "distance", "borders", "height", "normal", "color", "material"})
+        EXPECT_FALSE(folder.has("baked.0." + map + ".png")) << map;
+    EXPECT_FALSE(folder.has("baked.json"));
+    EXPECT_FALSE(folder.has("baked.glb"));
+}
+
 TEST_F(Tangle, SaysWhyItCantBake) {
     folder.write("script.json", kScript);
     const Outcome outcome = run({"tangle", "sphere.off", "script.json", "-o", "baked", "--bake", "64", "--quiet"});

@@ -46,10 +46,14 @@ float to_srgb(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
-// The maps of one material, in memory, and their files.
+// Path and bytes.
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+// The maps of one material, as numbers and as files.
 class MapSet {
 public:
-    MapSet(const BakeOptions& options, const std::string& prefix) : options_(options), prefix_(prefix) {
+    MapSet(const BakeOptions& options, const std::string& prefix, Files& files)
+        : options_(options), prefix_(prefix), files_(files) {
         const size_t texels = size_t{options.size} * options.size;
         if (wants("ids")) ids_.resize(texels);
         if (wants("distance")) distances_.resize(texels);
@@ -68,14 +72,14 @@ public:
         desc.blends = data(blends_);
     }
     // Returns what the files are.
-    nlohmann::ordered_json write() {
-        if (wants("ids")) write_ids();
-        if (wants("distance")) write_distances();
-        if (wants("borders")) write_file<uint8_t>("borders", 1, borders_);
-        if (wants("height")) write_heights();
-        if (wants("normal")) write_normals();
-        if (wants("color")) write_colors();
-        if (wants("material")) write_materials();
+    nlohmann::ordered_json encode() {
+        if (wants("ids")) encode_ids();
+        if (wants("distance")) encode_distances();
+        if (wants("borders")) add_file<uint8_t>("borders", 1, borders_);
+        if (wants("height")) encode_heights();
+        if (wants("normal")) encode_normals();
+        if (wants("color")) encode_colors();
+        if (wants("material")) encode_materials();
         return std::move(said_);
     }
 
@@ -88,21 +92,21 @@ private:
         return values.empty() ? nullptr : values.data();
     }
     template <class T>
-    nlohmann::ordered_json& write_file(const std::string& map, uint32_t channels, const std::vector<T>& values) {
+    nlohmann::ordered_json& add_file(const std::string& map, uint32_t channels, const std::vector<T>& values) {
         const std::string path = prefix_ + "." + map + ".png";
-        write_png(path, {options_.size, options_.size, channels}, std::span<const T>(values));
+        files_.emplace_back(path, encode_png(path, {options_.size, options_.size, channels}, std::span<const T>(values)));
         nlohmann::ordered_json& said = said_[map];
         said["file"] = std::filesystem::path(path).filename().string();
         return said;
     }
-    void write_ids() {
+    void encode_ids() {
         std::vector<uint16_t> values;
         values.reserve(ids_.size());
         for (const uint32_t id : ids_) values.push_back(static_cast<uint16_t>(std::min(id, outside)));
-        write_file("ids", 1, values)["outside"] = outside;
+        add_file("ids", 1, values)["outside"] = outside;
     }
     // Values from `from` on, in steps of `scale`; what is not finite lies outside.
-    void write_lengths(const char* map, const std::vector<float>& lengths, float from, float to) {
+    void encode_lengths(const char* map, const std::vector<float>& lengths, float from, float to) {
         const float scale = to > from ? (to - from) / steps : 1;
         std::vector<uint16_t> values;
         values.reserve(lengths.size());
@@ -110,28 +114,28 @@ private:
             values.push_back(static_cast<uint16_t>(
                 std::isfinite(length) ? std::lround(std::clamp((length - from) / scale, 0.0f, steps)) : outside));
         }
-        nlohmann::ordered_json& said = write_file(map, 1, values);
+        nlohmann::ordered_json& said = add_file(map, 1, values);
         said["metres_at_0"] = from;
         said["metres_per_step"] = scale;
     }
-    void write_distances() {
+    void encode_distances() {
         float most = 0;
         for (const float distance : distances_)
             if (std::isfinite(distance)) most = std::max(most, distance);
-        write_lengths("distance", distances_, 0, most);
+        encode_lengths("distance", distances_, 0, most);
         said_["distance"]["outside"] = outside;
     }
-    void write_heights() {
+    void encode_heights() {
         const auto [least, most] = std::minmax_element(heights_.begin(), heights_.end());
-        write_lengths("height", heights_, *least, *most);
+        encode_lengths("height", heights_, *least, *most);
     }
-    void write_normals() {
+    void encode_normals() {
         std::vector<uint8_t> values;
         values.reserve(normals_.size());
         for (const float part : normals_) values.push_back(static_cast<uint8_t>(128 + std::lround(127 * part)));
-        write_file("normal", 3, values);
+        add_file("normal", 3, values);
     }
-    void write_colors() {
+    void encode_colors() {
         std::vector<uint8_t> values;
         values.reserve(blends_.size() / blend_count * 4);
         for (size_t i = 0; i < blends_.size(); i += blend_count) {
@@ -140,9 +144,9 @@ private:
                 values.push_back(covered > 0 ? byte(to_srgb(blends_[i + c] / covered)) : uint8_t{0});
             values.push_back(byte(covered));
         }
-        write_file("color", 4, values);
+        add_file("color", 4, values);
     }
-    void write_materials() {
+    void encode_materials() {
         std::vector<uint8_t> values;
         values.reserve(blends_.size() / blend_count * 3);
         for (size_t i = 0; i < blends_.size(); i += blend_count) {
@@ -151,11 +155,12 @@ private:
             for (const uint32_t c : {roughness, metallic})
                 values.push_back(covered > 0 ? byte(blends_[i + c] / covered) : uint8_t{0});
         }
-        write_file("material", 3, values);
+        add_file("material", 3, values);
     }
 
     const BakeOptions& options_;
     std::string prefix_;
+    Files& files_;
     std::vector<uint32_t> ids_;
     std::vector<float> distances_, heights_, normals_, blends_;
     std::vector<uint8_t> borders_;
@@ -212,9 +217,10 @@ void bake_maps(Session& session, const BakeOptions& options, const MeshSurface& 
     said["size"] = options.size;
     said["padding"] = desc.padding;
     said["border_width"] = desc.border_width;
+    Files files;
     for (const uint32_t label : labels_of(file.view())) {
         const bool is_all = label == FLG_NO_INDEX;
-        MapSet maps(options, is_all ? options.prefix : options.prefix + "." + std::to_string(label));
+        MapSet maps(options, is_all ? options.prefix : options.prefix + "." + std::to_string(label), files);
         maps.point(desc);
         desc.mesh_region = label;
         FlgJob job = {};
@@ -224,11 +230,12 @@ void bake_maps(Session& session, const BakeOptions& options, const MeshSurface& 
         if (!is_all) set["region"] = label;
         const uint32_t material = is_all ? 0 : label;
         if (material < materials.size() && materials[material].name) set["material"] = materials[material].name;
-        set["maps"] = maps.write();
+        set["maps"] = maps.encode();
         said["sets"].push_back(std::move(set));
     }
     report.counts["baked_sets"] = said["sets"].size();
-    write_text_file(options.prefix + ".json", said.dump(2) + "\n");
+    files.emplace_back(options.prefix + ".json", said.dump(2) + "\n");
+    for (const auto& [path, bytes] : files) write_text_file(path, bytes);
 }
 
 }  // namespace flg::cli

@@ -21,7 +21,7 @@ const std::vector<std::string>& map_names();
 // Refuses what can't be baked, before any work is done. Throws UsageError, InputError.
 void require_bakeable(const BakeOptions& options, const MeshSurface& surface);
 
-// One set of files for each material of the mesh. Throws InputError.
+// One set of files for each material of the mesh, written once all are baked. Throws InputError.
 void bake_maps(Session& session, const BakeOptions& options, const MeshSurface& surface, const TangleScript& script,
                Report& report);
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "documents/failure.h"
-#include "documents/text_file.h"
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -46,7 +45,7 @@ void put_chunk(std::string& out, const char* type, std::string_view content) {
 }
 
 // `rows`: of bytes, big-endian.
-void write_bytes(const std::string& path, const PngShape& shape, uint8_t bits, const std::vector<uint8_t>& rows) {
+std::string pack(const std::string& path, const PngShape& shape, uint8_t bits, const std::vector<uint8_t>& rows) {
     const size_t stride = rows.size() / shape.height;
     std::vector<uint8_t> filtered;
     filtered.reserve(rows.size() + shape.height);
@@ -70,23 +69,23 @@ void write_bytes(const std::string& path, const PngShape& shape, uint8_t bits, c
     put_chunk(file, "IHDR", header);
     put_chunk(file, "IDAT", {reinterpret_cast<const char*>(packed.get()), static_cast<size_t>(size)});
     put_chunk(file, "IEND", {});
-    write_text_file(path, file);
+    return file;
 }
 
 }  // namespace
 
-void write_png(const std::string& path, const PngShape& shape, std::span<const uint8_t> values) {
-    write_bytes(path, shape, 8, {values.begin(), values.end()});
+std::string encode_png(const std::string& path, const PngShape& shape, std::span<const uint8_t> values) {
+    return pack(path, shape, 8, {values.begin(), values.end()});
 }
 
-void write_png(const std::string& path, const PngShape& shape, std::span<const uint16_t> values) {
+std::string encode_png(const std::string& path, const PngShape& shape, std::span<const uint16_t> values) {
     std::vector<uint8_t> bytes;
     bytes.reserve(2 * values.size());
     for (const uint16_t value : values) {
         bytes.push_back(static_cast<uint8_t>(value >> 8));
         bytes.push_back(static_cast<uint8_t>(value & 0xff));
     }
-    write_bytes(path, shape, 16, bytes);
+    return pack(path, shape, 16, bytes);
 }
 
 }  // namespace flg::cli

@@ -13,8 +13,8 @@ struct PngShape {
     uint32_t channels = 1;  // 1, 3 or 4
 };
 
-// Whole or not at all; rows from the top, tightly packed. Both throw InputError.
-void write_png(const std::string& path, const PngShape& shape, std::span<const uint8_t> values);
-void write_png(const std::string& path, const PngShape& shape, std::span<const uint16_t> values);
+// The bytes of a file; rows from the top, tightly packed. Both throw InputError, which names the path.
+std::string encode_png(const std::string& path, const PngShape& shape, std::span<const uint8_t> values);
+std::string encode_png(const std::string& path, const PngShape& shape, std::span<const uint16_t> values);
 
 }  // namespace flg::cli
