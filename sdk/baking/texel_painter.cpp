@@ -82,19 +82,19 @@ void TexelPainter::set_heights(uint32_t triangle) {
 uint32_t TexelPainter::run(uint32_t units) {
     uint32_t done = 0;
     while (done < units) {
-        const bool is_last = y_ >= end_row_;
-        if (wants_distances_ && !near_.is_gathered()) {
-            done += near_.gather(plane_, units - done);
-        } else if (batch_.count < TexelBatch::lanes && !is_last) {
+        if (batch_.count < TexelBatch::lanes && y_ < end_row_) {
             done += take_texels();
         } else if (batch_.count == 0) {
             break;
+        } else if (wants_distances_ && !near_.is_gathered()) {
+            done += near_.gather(plane_, units - done);
         } else if (wants_distances_ && !near_.is_searched()) {
             done += near_.search(batch_, units - done);
         } else {
             for (uint32_t i = 0; i < batch_.count; ++i) {
-                const Nearest found = {std::sqrt(batch_.distances_sq[i]),
-                                       batch_.nearest[i] < 0 ? nullptr : &near_[static_cast<size_t>(batch_.nearest[i])]};
+                const Nearest found = {
+                    std::sqrt(batch_.distances_sq[i]),
+                    batch_.nearest[i] < 0 ? nullptr : &near_[static_cast<size_t>(batch_.nearest[i])]};
                 paint(batch_.texels[i][0], batch_.texels[i][1], found);
             }
             done += batch_.count * (1 + canvas_.request.component_count / 8);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -184,6 +186,49 @@ void displace(Square& square, float amount) {
     ASSERT_EQ(flgTangleDisplace(square.context, &desc, &job), FLG_OK) << flgErrorGetMessage();
     square.run(job);
     ASSERT_EQ(square.last, FLG_OK) << square.error;
+}
+
+// The edges between two regions of the cut mesh, each with both ends.
+std::vector<std::array<float, 4>> border_edges(const Square& square) {
+    FlgSurfaceView view = {};
+    view.struct_size = sizeof view;
+    EXPECT_EQ(flgSurfaceGetView(square.context, square.surface, &view), FLG_OK);
+    const auto* const places = static_cast<const float*>(view.mesh->columns[0].data);
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> region_of_edge;
+    std::vector<std::array<float, 4>> edges;
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t a = view.mesh->triangles[3 * t + k], b = view.mesh->triangles[3 * t + (k + 1) % 3];
+            region_of_edge[{a, b}] = view.mesh->regions[t];
+            const auto other = region_of_edge.find({b, a});
+            if (other == region_of_edge.end() || other->second == view.mesh->regions[t]) continue;
+            edges.push_back({places[3 * a], places[3 * a + 1], places[3 * b], places[3 * b + 1]});
+        }
+    }
+    return edges;
+}
+
+TEST(Baking, DistancesAreThoseToTheNearestEdgeBetweenRegions) {
+    for (const uint32_t cells : {7u, 40u, 90u}) {
+        Square square(0.3f, cells);
+        Maps maps(64);
+        maps.bake(square);
+        ASSERT_EQ(square.last, FLG_OK) << square.error;
+        const auto edges = border_edges(square);
+        EXPECT_GE(edges.size(), cells);
+        for (uint32_t i = 0; i < 64 * 64; ++i) {
+            const double x = (i % 64 + 0.5) / 64, y = (i / 64 + 0.5) / 64;
+            double least = INFINITY;
+            for (const auto& [ax, ay, bx, by] : edges) {
+                const double dx = double{bx} - double{ax}, dy = double{by} - double{ay};
+                const double share = ((x - double{ax}) * dx + (y - double{ay}) * dy) / (dx * dx + dy * dy);
+                const double at = std::clamp(share, 0.0, 1.0);
+                least = std::min(least, std::hypot(x - double{ax} - at * dx, y - double{ay} - at * dy));
+            }
+            EXPECT_GE(double{maps.distances[i]}, least - 1e-6) << cells << ' ' << i;
+            EXPECT_LE(double{maps.distances[i]}, least + 1e-5) << cells << ' ' << i;
+        }
+    }
 }
 
 TEST(Baking, IdsAndHeightsAreThoseOfTheCutMesh) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ornament: divided, edited, undone, made again.
+#include <algorithm>
 #include <cmath>
 
 #include "filigree/filigree_bake.h"
@@ -111,7 +112,7 @@ void edits(WatchedHost& host, uint32_t size) {
     host.finish();
 }
 
-// A map with a texel a triangle, or so.
+// A map with a texel a triangle, or so; and one that is refused.
 void bake(WatchedHost& host, uint32_t size) {
     Mesh mesh = waves(size);
     Decorated made;
@@ -138,6 +139,10 @@ void bake(WatchedHost& host, uint32_t size) {
     desc.normals = normals.data();
     host.copy("flgTangleBake", flgTangleBake, &desc, host.job());
     host.finish();
+    // One half of the mesh lies over the other: refused when all is drawn.
+    std::copy_n(uvs.begin(), uvs.size() / 2, uvs.end() - static_cast<std::ptrdiff_t>(uvs.size() / 2));
+    host.copy("flgTangleBake", flgTangleBake, &desc, host.job());
+    host.finish(FLG_ERROR_INVALID_ARGUMENT);
 }
 
 constexpr SizedJob all[] = {

@@ -94,7 +94,8 @@ private:
     template <class T>
     nlohmann::ordered_json& add_file(const std::string& map, uint32_t channels, const std::vector<T>& values) {
         const std::string path = prefix_ + "." + map + ".png";
-        files_.emplace_back(path, encode_png(path, {options_.size, options_.size, channels}, std::span<const T>(values)));
+        files_.emplace_back(path,
+                            encode_png(path, {options_.size, options_.size, channels}, std::span<const T>(values)));
         nlohmann::ordered_json& said = said_[map];
         said["file"] = std::filesystem::path(path).filename().string();
         return said;
