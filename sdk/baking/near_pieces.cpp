@@ -2,6 +2,7 @@
 #include "baking/near_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -117,14 +118,18 @@ void NearPieces::begin_search(TexelBatch& batch) {
 uint32_t NearPieces::search(TexelBatch& batch, uint32_t units) {
     const size_t begin = searched_;
     searched_ = std::min(pieces_.size(), begin + size_t{units} * pieces_searched);
-    for (uint32_t part = 0; part < parts; ++part) {
-        const uint32_t lane = part * lane_width;
-        const auto x = load_lanes<Lanes>(&batch.x[lane]), y = load_lanes<Lanes>(&batch.y[lane]);
-        auto least = load_lanes<Lanes>(&batch.distances_sq[lane]);
-        auto nearest = load_lanes<Numbers>(&batch.nearest[lane]);
-        for (size_t i = begin; i < searched_; ++i) {
-            const NearPiece& piece = pieces_[i];
-            const Lanes to_x = x - piece.x, to_y = y - piece.y;
+    std::array<Lanes, parts> x, y, least;
+    std::array<Numbers, parts> nearest;
+    for (uint32_t k = 0; k < parts; ++k) {
+        x[k] = load_lanes<Lanes>(&batch.x[k * lane_width]);
+        y[k] = load_lanes<Lanes>(&batch.y[k * lane_width]);
+        least[k] = load_lanes<Lanes>(&batch.distances_sq[k * lane_width]);
+        nearest[k] = load_lanes<Numbers>(&batch.nearest[k * lane_width]);
+    }
+    for (size_t i = begin; i < searched_; ++i) {
+        const NearPiece& piece = pieces_[i];
+        for (uint32_t k = 0; k < parts; ++k) {
+            const Lanes to_x = x[k] - piece.x, to_y = y[k] - piece.y;
             const Lanes dot = to_x * piece.along_x + to_y * piece.along_y - piece.z * piece.along_z;
             Lanes share = dot * piece.inverse_length_sq;
             share = share > 0.0f ? share : Lanes{};
@@ -132,14 +137,14 @@ uint32_t NearPieces::search(TexelBatch& batch, uint32_t units) {
             const Lanes off_x = to_x - share * piece.along_x, off_y = to_y - share * piece.along_y,
                         off_z = -piece.z - share * piece.along_z;
             const Lanes found = off_x * off_x + off_y * off_y + off_z * off_z;
-            const Numbers is_less = found < least;
-            least = is_less ? found : least;
-            nearest = is_less ? Numbers{} + static_cast<int32_t>(i) : nearest;
+            const Numbers is_less = found < least[k];
+            least[k] = is_less ? found : least[k];
+            nearest[k] = is_less ? Numbers{} + static_cast<int32_t>(i) : nearest[k];
         }
-        for (uint32_t i = 0; i < lane_width; ++i) {
-            batch.distances_sq[lane + i] = least[i];
-            batch.nearest[lane + i] = nearest[i];
-        }
+    }
+    for (uint32_t lane = 0; lane < TexelBatch::lanes; ++lane) {
+        batch.distances_sq[lane] = least[lane / lane_width][lane % lane_width];
+        batch.nearest[lane] = nearest[lane / lane_width][lane % lane_width];
     }
     return 1 + static_cast<uint32_t>(searched_ - begin) / pieces_searched;
 }

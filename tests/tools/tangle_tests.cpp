@@ -119,7 +119,7 @@ TEST_F(Tangle, BakesASetOfMapsForEachMaterial) {
             EXPECT_EQ(png[24], is_deep ? 16 : 8) << map;
         }
     }
-    // The middle is 0.3 m from the border, which lies 0.2 m inside the edge; corners, less half a cell that it cuts off.
+    // The middle is 0.3 m from the border, which lies 0.2 m inside the edge. At corners it cuts off half a cell.
     const nlohmann::json& distance = said.at("sets")[0].at("maps").at("distance");
     const double most = distance.at("metres_per_step").get<double>() * 65534;
     EXPECT_GE(most, 0.3 - 1.0 / 64);
