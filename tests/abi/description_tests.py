@@ -41,7 +41,7 @@ class Grammar(unittest.TestCase):
 
     # Nouns that are no types of the interface.
     NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Cable", "Columns", "Debug", "Indices"}
-    VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|Edit|End|Find|Get|Group|Hang|Init|"
+    VERBS = ("Apply|Bake|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|Edit|End|Find|Get|Group|Hang|Init|"
              "Insert|Join|Lift|Move|Mute|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|"
              "Resume|Run|Sample|Set|Simplify|Split|"
              "Stylize|Sweep|Tick|Trace|Undo|Ungroup|Wait|Warm|Write").split("|")

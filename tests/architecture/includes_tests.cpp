@@ -33,9 +33,10 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/solids", {"filigree", "core", "runtime", "surfaces", "skeletons", "inflation", "bones", "rigs"}},
     {"sdk/pulling", {"filigree", "core", "runtime", "linear", "surfaces", "inflation"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
+    {"sdk/baking", {"filigree", "core", "runtime", "surfaces", "tangles"}},
     {"sdk/api",
-     {"filigree", "core", "brush", "runtime", "buffers", "curves", "stylization", "surfaces", "splines", "skeletons",
-      "inflation", "bones", "rigs", "solids", "pulling", "tangles"}},
+     {"baking", "filigree", "core", "brush", "runtime", "buffers", "curves", "stylization", "surfaces", "splines",
+      "skeletons", "inflation", "bones", "rigs", "solids", "pulling", "tangles"}},
     {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
@@ -63,9 +64,10 @@ const std::map<std::string, Rooms> allowed_within = {
     {"io/tangle", {"base"}},
     {"io/", {"base", "gltf", "text", "tilt", "svg"}},
 };
-const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "buffers",   "linear", "curves",
-                     "stylization", "surfaces", "splines", "skeletons", "inflation", "bones",  "rigs",
-                     "solids",      "pulling",  "tangles", "api",       "io",        "pick",   "filigree_renderer"};
+const Rooms rooms = {"filigree", "core",        "brush",    "runtime",          "buffers",   "linear",
+                     "curves",   "stylization", "surfaces", "splines",          "skeletons", "inflation",
+                     "bones",    "rigs",        "solids",   "pulling",          "tangles",   "baking",
+                     "api",      "io",          "pick",     "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();

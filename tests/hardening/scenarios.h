@@ -29,6 +29,7 @@ void make_surfaces(Calls&);
 void measure_surfaces(Calls&);
 void trace_surfaces(Calls&);
 void cut_surfaces(Calls&);
+void bake_tangles(Calls&);
 void divide_tangles(Calls&);
 void edit_tangles(Calls&);
 void replay_tangles(Calls&);
@@ -56,6 +57,7 @@ inline constexpr Scenario scenarios[] = {
     {"traces", trace_surfaces},
     {"cuts", cut_surfaces},
     {"tangle_divisions", divide_tangles},
+    {"tangle_bakes", bake_tangles},
     {"tangle_edits", edit_tangles},
     {"tangle_replays", replay_tangles},
     {"manifolds", make_manifolds},

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Tangles: divided, edited, made again.
+#include <algorithm>
+#include <cmath>
+
+#include "filigree/filigree_bake.h"
 #include "filigree/filigree_tangle.h"
 #include "hardening/scenarios.h"
 
@@ -12,11 +16,12 @@ struct Decorated {
     FlgTangle tangle{};
 };
 
-Decorated begin(Calls& calls) {
+Decorated begin(Calls& calls, uint32_t provenance = 0) {
     FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
     MeshArrays mesh = plane(7);
     const FlgMeshView input = mesh.view();
     desc.mesh = &input;
+    desc.provenance = provenance;
     Decorated made;
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(made.surface), calls.job());
     FLG_CALL(calls, flgTangleCreate, calls.context, made.surface, nullptr, calls.out(made.tangle), calls.job());
@@ -82,6 +87,38 @@ void divide_tangles(Calls& calls) {
     calls.note(seen);
     FLG_DRAW(calls, flgDebugDrawTangle, decorated.tangle);
     FLG_CALL(calls, flgTangleRelease, calls.context, decorated.tangle);
+}
+
+void bake_tangles(Calls& calls) {
+    const Decorated made = begin(calls, 1);
+    frame(calls, made);
+    MeshArrays mesh = plane(7);
+    const FlgMeshView input = mesh.view();
+    std::vector<float> uvs;
+    float low = INFINITY, high = -INFINITY;
+    for (const float value : mesh.positions) low = std::min(low, value), high = std::max(high, value);
+    for (const uint32_t v : mesh.triangles)
+        for (uint32_t c = 0; c < 2; ++c)
+            uvs.push_back(std::clamp((mesh.positions[3 * v + c] - low) / (high - low), 0.0f, 1.0f));
+    constexpr uint32_t size = 16;
+    // Of a thread, so longer than its contexts: where a scenario ends early, a job may still write.
+    static thread_local std::array<uint32_t, size * size> ids;
+    static thread_local std::array<float, size * size> distances;
+    ids.fill(0);
+    distances.fill(0);
+    FlgTangleBakeDesc bake = FLG_INIT(calls, flgTangleBakeDescInit);
+    bake.size = size;
+    bake.padding = 2;
+    bake.tangle = made.tangle;
+    bake.mesh = &input;
+    bake.corner_uvs = uvs.data();
+    bake.ids = ids.data();
+    bake.distances = distances.data();
+    FLG_CALL(calls, flgTangleBake, calls.context, &bake, calls.job());
+    calls.finish();
+    calls.note(&ids, sizeof ids);
+    calls.note(&distances, sizeof distances);
+    FLG_CALL(calls, flgTangleRelease, calls.context, made.tangle);
 }
 
 void edit_tangles(Calls& calls) {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Ornament: divided, edited, undone, made again.
+#include <algorithm>
+#include <cmath>
+
+#include "filigree/filigree_bake.h"
 #include "filigree/filigree_tangle.h"
 #include "slices/meshes.h"
 #include "slices/sized_jobs.h"
@@ -108,11 +112,42 @@ void edits(WatchedHost& host, uint32_t size) {
     host.finish();
 }
 
+// A map with a texel a triangle, or so; and one that is refused.
+void bake(WatchedHost& host, uint32_t size) {
+    Mesh mesh = waves(size);
+    Decorated made;
+    made.surface = make_surface(host, mesh, true);
+    host.call("flgTangleCreate", flgTangleCreate, made.surface, nullptr, &made.tangle, host.job());
+    host.made("flgTangleRelease", flgTangleRelease, made.tangle);
+    host.finish();
+    frame(host, made.tangle);
+    std::vector<float> uvs;
+    for (const uint32_t v : mesh.triangles)
+        for (uint32_t c = 0; c < 2; ++c) uvs.push_back(mesh.positions[3 * v + c]);
+    const FlgMeshView view = mesh.view();
+    FlgTangleBakeDesc desc = flgTangleBakeDefaults();
+    desc.size = 1 + static_cast<uint32_t>(std::sqrt(size));
+    const size_t texels = size_t{desc.size} * desc.size;
+    std::vector<uint32_t> ids(texels);
+    std::vector<uint8_t> borders(texels);
+    std::vector<float> normals(3 * texels);
+    desc.tangle = made.tangle;
+    desc.mesh = &view;
+    desc.corner_uvs = uvs.data();
+    desc.ids = ids.data();
+    desc.borders = borders.data();
+    desc.normals = normals.data();
+    host.copy("flgTangleBake", flgTangleBake, &desc, host.job());
+    host.finish();
+    // One half of the mesh lies over the other: refused when all is drawn.
+    std::copy_n(uvs.begin(), uvs.size() / 2, uvs.end() - static_cast<std::ptrdiff_t>(uvs.size() / 2));
+    host.copy("flgTangleBake", flgTangleBake, &desc, host.job());
+    host.finish(FLG_ERROR_INVALID_ARGUMENT);
+}
+
 constexpr SizedJob all[] = {
-    {"tangle_contour", contour},
-    {"tangle_cells", cells},
-    {"tangle_streams", streams},
-    {"tangle_edits", edits, 1'000'000},
+    {"tangle_contour", contour},        {"tangle_cells", cells},          {"tangle_streams", streams},
+    {"tangle_edits", edits, 1'000'000}, {"tangle_bake", bake, 1'000'000},
 };
 
 }  // namespace

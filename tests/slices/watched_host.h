@@ -57,13 +57,13 @@ public:
         releases_.push_back([=, this] { call(name, release, handle); });
     }
 
-    // Ticks until all jobs have ended, well unless one was cancelled.
-    void finish() {
+    // Ticks until all jobs have ended, well or with this failure unless one was cancelled.
+    void finish(FlgResult expected = FLG_OK) {
         run_ticks(UINT32_MAX);
         for (const FlgJob job : jobs_) {
             FlgJobStatus status = flgJobStatusDefaults();
             check("flgJobGetStatus", flgJobGetStatus(context_, job, &status));
-            if (status.result != FLG_OK && !cancelled_) throw std::runtime_error(status.error);
+            if (status.result != expected && !cancelled_) throw std::runtime_error(status.error);
             flgJobRelease(context_, job);
         }
         jobs_.clear();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // filigree tangle: scripts of operations, what they leave in files, and what is wrong with those that can't be run.
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "cli_test.h"
 #include "meshes.h"
@@ -63,6 +66,100 @@ TEST_F(Tangle, SameBitsWithAnyWorkersAndBudget) {
     const std::string expected = folder.read("masks.ply");
     done(command({"--masks", "masks.ply", "--workers", "3", "--budget", "200"}));
     EXPECT_TRUE(folder.read("masks.ply") == expected);
+}
+
+// Two squares side by side, of a material each, with a half of the texture each; or the second's is folded.
+std::string panels(bool is_folded = false) {
+    constexpr int cells = 10;
+    std::ostringstream out;
+    out << "mtllib panels.mtl\n";
+    for (int j = 0; j <= cells; ++j) {
+        for (int i = 0; i <= 2 * cells; ++i) {
+            const int u = is_folded ? std::min(i, 3 * cells - i) : i;
+            out << "v " << 1.0 * i / cells << ' ' << 1.0 * j / cells << " 0\nvt " << 0.5 * u / cells << ' '
+                << 1.0 * j / cells << '\n';
+        }
+    }
+    const auto corner = [&](int i, int j) {
+        const std::string number = std::to_string(1 + j * (2 * cells + 1) + i);
+        return " " + number + "/" + number;
+    };
+    for (int panel = 0; panel < 2; ++panel) {
+        out << (panel == 0 ? "usemtl wood\n" : "usemtl iron\n");
+        for (int j = 0; j < cells; ++j)
+            for (int i = panel * cells; i < (panel + 1) * cells; ++i)
+                out << 'f' << corner(i, j) << corner(i + 1, j) << corner(i + 1, j + 1) << corner(i, j + 1) << '\n';
+    }
+    return out.str();
+}
+const char* const kPanelLooks = "newmtl wood\nKd 0.5 0.3 0.1\nnewmtl iron\nKd 0.2 0.2 0.2\n";
+const char* const kPanelScript = R"({
+  "unit": "metres",
+  "operations": [{"name": "rim", "op": "contour", "on": "root", "from": {"borders": "outer"}, "delta": 0.2}],
+  "materials": [{"name": "gold", "on": "rim.foreground", "color": "#f0c46a"}]})";
+
+TEST_F(Tangle, BakesASetOfMapsForEachMaterial) {
+    folder.write("panels.obj", panels());
+    folder.write("panels.mtl", kPanelLooks);
+    folder.write("script.json", kPanelScript);
+    done({"tangle", "panels.obj", "script.json", "-o", "baked", "--bake", "64", "--quiet"});
+    const nlohmann::json said = report("baked.json");
+    EXPECT_EQ(said.at("size"), 64);
+    ASSERT_EQ(said.at("sets").size(), 2);
+    EXPECT_EQ(said.at("sets")[0].at("material"), "wood");
+    EXPECT_EQ(said.at("sets")[1].at("material"), "iron");
+    for (const nlohmann::json& set : said.at("sets")) {
+        ASSERT_EQ(set.at("maps").size(), 7);
+        for (const auto& [map, about] : set.at("maps").items()) {
+            const std::string png = folder.read(about.at("file"));
+            EXPECT_EQ(png.substr(1, 3), "PNG") << map;
+            const bool is_deep = map == "ids" || map == "distance" || map == "height";
+            ASSERT_GT(png.size(), 33u);
+            EXPECT_EQ(png[19], 64) << map;
+            EXPECT_EQ(png[24], is_deep ? 16 : 8) << map;
+        }
+    }
+    // The middle is 0.3 m from the border, which lies 0.2 m inside the edge. At corners it cuts off half a cell.
+    const nlohmann::json& distance = said.at("sets")[0].at("maps").at("distance");
+    const double most = distance.at("metres_per_step").get<double>() * 65534;
+    EXPECT_GE(most, 0.3 - 1.0 / 64);
+    EXPECT_LE(most, (0.2 + 0.1 / 2) * std::sqrt(2.0));
+}
+
+TEST_F(Tangle, BakesTheSameWithAnyWorkersAndBudget) {
+    folder.write("panels.obj", panels());
+    folder.write("panels.mtl", kPanelLooks);
+    folder.write("script.json", kPanelScript);
+    done({"tangle", "panels.obj", "script.json", "-o", "a", "--bake", "64", "--workers", "0", "--quiet"});
+    done({"tangle", "panels.obj", "script.json", "-o", "b", "--bake", "64", "--workers", "3", "--budget", "100",
+          "--quiet"});
+    for (const std::string map : {"ids", "distance", "borders", "height", "normal", "color", "material"})
+        EXPECT_TRUE(folder.read("a.0." + map + ".png") == folder.read("b.0." + map + ".png")) << map;
+}
+
+TEST_F(Tangle, ARefusedBakeWritesNothing) {
+    folder.write("panels.obj", panels(true));
+    folder.write("panels.mtl", kPanelLooks);
+    folder.write("script.json", kPanelScript);
+    const Outcome outcome = run({"tangle", "panels.obj", "script.json", "-o", "baked.glb", "--bake", "64", "--quiet"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("overlap at "), std::string::npos) << outcome.err;
+    for (const std::string map : {"ids", "distance", "borders", "height", "normal", "color", "material"})
+        EXPECT_FALSE(folder.has("baked.0." + map + ".png")) << map;
+    EXPECT_FALSE(folder.has("baked.json"));
+    EXPECT_FALSE(folder.has("baked.glb"));
+}
+
+TEST_F(Tangle, SaysWhyItCantBake) {
+    folder.write("script.json", kScript);
+    const Outcome outcome = run({"tangle", "sphere.off", "script.json", "-o", "baked", "--bake", "64", "--quiet"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("sphere.off: has no texture coordinates"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("unwrap it first"), std::string::npos) << outcome.err;
+    for (const std::string size : {"0", "16385", "-1", "many"})
+        EXPECT_EQ(run({"tangle", "sphere.off", "script.json", "-o", "baked", "--bake", size}).status, 2) << size;
+    EXPECT_EQ(run({"tangle", "sphere.off", "script.json", "-o", "baked", "--bake", "64", "--maps", "hue"}).status, 2);
+    EXPECT_EQ(run({"tangle", "sphere.off", "script.json", "-o", "out.glb", "--maps", "ids"}).status, 2);
 }
 
 TEST_F(Tangle, ScriptsThatCantBeRunSayWhere) {

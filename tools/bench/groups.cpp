@@ -32,6 +32,7 @@ const std::vector<Group>& groups() {
         {"surfaces", "picking", run_picking},
 #endif
         {"tangles", "tangles", run_tangles},
+        {"tangles", "baking", run_baking},
         {"skeletons", "skeletons", run_skeletons},
         {"skeletons", "inflation", run_inflation},
         {"skeletons", "models", run_models},

@@ -22,6 +22,7 @@ std::vector<Row> run_simplify();
 std::vector<Row> run_cutting();
 std::vector<Row> run_inflation();
 std::vector<Row> run_tangles();
+std::vector<Row> run_baking();
 std::vector<Row> run_skeletons();
 std::vector<Row> run_models();
 std::vector<Row> run_pulling();

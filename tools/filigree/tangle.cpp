@@ -7,11 +7,13 @@
 #include <optional>
 #include <set>
 
+#include "baked_maps.h"
 #include "command.h"
 #include "documents/extensions.h"
 #include "documents/failure.h"
 #include "documents/tangle_script.h"
 #include "documents/text_file.h"
+#include "filigree/filigree_bake.h"
 #include "path_curves.h"
 #include "tangle_document.h"
 
@@ -21,6 +23,10 @@ namespace {
 struct Options {
     std::string mesh, script, output, document, masks, curves;
     std::optional<uint32_t> first;  // operations of the script
+    BakeOptions bake;
+
+    // With maps alone the output is the prefix of their files.
+    bool writes_mesh() const { return bake.size == 0 || ends_with_one_of(output, {".glb", ".ply", ".obj"}); }
 };
 
 // What each leaf is shown as: a group, one number after the other.
@@ -152,9 +158,18 @@ FlgCurveSet trace_borders(Session& session, const TangleScript& script, const Op
     return lift(session, borders, options.mesh, report);
 }
 
+// The mesh's path without its extension, or the prefix itself.
+BakeOptions prefixed(const Options& options) {
+    BakeOptions bake = options.bake;
+    bake.prefix = options.output;
+    if (options.writes_mesh()) bake.prefix.resize(options.output.rfind('.'));
+    return bake;
+}
+
 void run_tangle(const Options& options, const CommonOptions& common) {
     require_distinct(options, common);
-    require_mesh_output(options.output, Regions::needed);
+    const BakeOptions bake = prefixed(options);
+    if (options.writes_mesh()) require_mesh_output(options.output, Regions::needed);
     if (!options.masks.empty()) require_mesh_output(options.masks, Regions::needed);
     if (!options.curves.empty()) require_curve_output(options.curves);
     if (!options.document.empty()) require_writable(options.document);
@@ -167,13 +182,16 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     report.parameters["script"] = options.script;
     if (options.first) report.parameters["first"] = *options.first;
     Session session(common);
-    const MeshSurface surface(session, options.mesh, 0.0f, report, is_of_asset(options));
+    const bool bakes = bake.size > 0;
+    if (bakes) report.parameters["bake"] = bake.size;
+    const MeshSurface surface(session, options.mesh, 0.0f, report, is_of_asset(options) || bakes);
+    if (bakes) require_bakeable(bake, surface);
     surface.warn_of_repairs(report);
     TangleScript tangle(session, surface, report);
     if (is_document(script)) {
         replay_document(session, tangle.tangle(), options.script, report);
     } else {
-        tangle.run(script, options.script, is_of_asset(options));
+        tangle.run(script, options.script, is_of_asset(options) || bakes);
     }
 
     const FlgCurveSet borders =
@@ -189,7 +207,8 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     report.counts["cut_vertices"] = mesh.vertex_count;
     report.counts["cut_triangles"] = mesh.triangle_count;
     report.counts["materials"] = tangle.materials().table.size();
-    write_result(options, surface, tangle, groups, report);
+    if (bakes) bake_maps(session, bake, surface, tangle, report);
+    if (options.writes_mesh()) write_result(options, surface, tangle, groups, report);
     if (!options.masks.empty()) write_masks(options, mesh, groups);
     if (borders.id != 0) {
         report.counts["border_points"] = write_curves(session.context(), borders, options.curves);
@@ -222,6 +241,30 @@ Command add_tangle(CLI::App& program, const CommonOptions& common) {
     app->add_option("--masks", o->masks, "Write the cut mesh with the face properties `region` and `group`")
         ->type_name("M.ply");
     app->add_option("--curves", o->curves, "Write the borders that are seen: .xyz, .obj or .glb")->type_name("C.xyz");
+    CLI::Option* const bake =
+        app->add_option("--bake", o->bake.size,
+                        "Also draws the ornament into the mesh's own texture coordinates, for those who can't change "
+                        "its triangles: square maps of so many texels a side, 1 to 16384, as PREFIX.MAP.png, where "
+                        "PREFIX is OUT without its extension, and PREFIX.json with their scales; where the mesh has "
+                        "several materials, PREFIX.MATERIAL.MAP.png by their numbers. An OUT without extension is the "
+                        "PREFIX alone, and no mesh is written")
+            ->check(CLI::Range(1u, FLG_BAKE_MAX_SIZE))
+            ->type_name("SIZE");
+    o->bake.maps = map_names();
+    app->add_option("--maps", o->bake.maps,
+                    "Which: ids (16 bits, the region; 65535 outside), distance (16 bits, to the border), borders (8 "
+                    "bits, lines), height (16 bits, of displacement), normal (tangent space, y up), color (sRGB; "
+                    "alpha: how much is the script's material and not the mesh's), material (green roughness, blue "
+                    "metallic)")
+        ->delimiter(',')
+        ->check(CLI::IsMember(map_names()))
+        ->needs(bake)
+        ->capture_default_str();
+    app->add_option("--border-width", o->bake.border_width,
+                    "Of the lines in the map `borders`, metres. Default: 1/500 of the mesh's diagonal")
+        ->check(CLI::PositiveNumber)
+        ->needs(bake)
+        ->type_name("W");
     return {app, [o, &common] { run_tangle(*o, common); }};
 }
 

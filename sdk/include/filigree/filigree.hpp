@@ -379,6 +379,30 @@ using StyleDriven = FlgStyleDriven;
 /// What a style does at the corners of its targets.
 using StyleCorners = FlgStyleCorners;
 
+/// How triangles are refined.
+using Subdivision = FlgSubdivision;
+
+/// How near distances are to those of the triangles.
+using Accuracy = FlgAccuracy;
+
+/// The borders an operator starts from.
+using TangleBorders = FlgTangleBorders;
+
+/// How an operator divides regions, sec. 3.3 of the paper.
+using TangleOperator = FlgTangleOperator;
+
+/// How an operator groups the regions it makes.
+using TangleGrouping = FlgTangleGrouping;
+
+/// Common combinations of operators.
+using TangleMacro = FlgTangleMacro;
+
+/// The function that made a step.
+using TangleStepKind = FlgTangleStepKind;
+
+/// What a step does.
+using TangleStepState = FlgTangleStepState;
+
 /// The cross-section of a brush mesh.
 using BrushShape = FlgBrushShape;
 
@@ -390,12 +414,6 @@ using BrushJoin = FlgBrushJoin;
 
 /// In what texture coordinates are measured.
 using BrushUv = FlgBrushUv;
-
-/// How triangles are refined.
-using Subdivision = FlgSubdivision;
-
-/// How near distances are to those of the triangles.
-using Accuracy = FlgAccuracy;
 
 /// What a host or its user sets about a joint.
 using JointEditKind = FlgJointEditKind;
@@ -417,24 +435,6 @@ using RigStandard = FlgRigStandard;
 
 /// Motions that show whether a model moves well.
 using RigMotion = FlgRigMotion;
-
-/// The borders an operator starts from.
-using TangleBorders = FlgTangleBorders;
-
-/// How an operator divides regions, sec. 3.3 of the paper.
-using TangleOperator = FlgTangleOperator;
-
-/// How an operator groups the regions it makes.
-using TangleGrouping = FlgTangleGrouping;
-
-/// Common combinations of operators.
-using TangleMacro = FlgTangleMacro;
-
-/// The function that made a step.
-using TangleStepKind = FlgTangleStepKind;
-
-/// What a step does.
-using TangleStepState = FlgTangleStepState;
 
 /// What a file is opened for.
 using FileAccess = FlgFileAccess;
@@ -506,21 +506,12 @@ using PatchSize = FlgPatchSize;
 /// from one point to the next. Several drives of the same thing are multiplied.
 using StyleDrive = FlgStyleDrive;
 
-/// What a call of flgBrushMeshWrite writes.
-using BrushMeshSizes = FlgBrushMeshSizes;
-
 /// At weights (1 - u - v, u, v) of the triangle's corners; u, v >= 0 and u + v <= 1 (clipped within 1e-5).
 using SurfacePoint = FlgSurfacePoint;
 
 /// Where a vertex lies on the mesh that its surface was made of: weights of at most three of that mesh's vertices, all
 /// of one triangle.
 using SourceWeights = FlgSourceWeights;
-
-/// A point on a branch's axis, with the slice across it.
-using AxisSample = FlgAxisSample;
-
-/// A joint's place in the rig, the bone that turns with it, and how far it may turn.
-using RigJoint = FlgRigJoint;
 
 /// Part of a border. Loops are the closed borders of the seeds' regions, taken together, including surface borders.
 /// They are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of the
@@ -535,6 +526,15 @@ using TangleInfo = FlgTangleInfo;
 
 /// FlgTangleRegion of the C ABI.
 using TangleRegion = FlgTangleRegion;
+
+/// What a call of flgBrushMeshWrite writes.
+using BrushMeshSizes = FlgBrushMeshSizes;
+
+/// A point on a branch's axis, with the slice across it.
+using AxisSample = FlgAxisSample;
+
+/// A joint's place in the rig, the bone that turns with it, and how far it may turn.
+using RigJoint = FlgRigJoint;
 
 /// Data of one stroke in a .tilt file, besides its points.
 using Stroke = FlgStroke;
@@ -688,86 +688,6 @@ struct CurveSetScales {
 
 private:
     FlgCurveSetScales c_;
-};
-
-/// A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and may
-/// repeat their first point at the end. The host owns the arrays, which must live for the call.
-struct ContourView {
-    /// 3 to 2^24
-    uint32_t point_count{};
-    /// 2 per point: x, y; magnitude 0 or 1e-150 to 1e150
-    Span<const double> points;
-    /// ring_count + 1 values: the start of each ring, then point_count; null: one ring
-    Span<const uint32_t> ring_offsets;
-    /// at least 1; default 1
-    uint32_t ring_count{};
-
-    /// Empty.
-    ContourView() { flgContourViewInit(&c_, detail::size_of<FlgContourView>); }
-    /// Of the C struct.
-    ContourView(const FlgContourView& c) : c_(c) {
-        point_count = c.point_count;
-        ring_count = c.ring_count;
-        points = detail::span(c.points, std::size_t{2} * point_count);
-        ring_offsets = detail::span(c.ring_offsets, std::size_t{ring_count} + 1);
-    }
-    /// The C struct, for C functions.
-    const FlgContourView& get() const noexcept { return c_; }
-    /// The C struct.
-    operator FlgContourView() const noexcept { return c_; }
-
-private:
-    FlgContourView c_;
-};
-
-/// The first nodes are the contour's points, ring by ring, at time 0. Face i is the area swept by the edge that starts
-/// at point i.
-struct StraightSkeletonView {
-    /// points of the cleaned contour; also the number of faces
-    uint32_t contour_count{};
-    /// FlgStraightSkeletonView::node_count.
-    uint32_t node_count{};
-    /// FlgStraightSkeletonView::arc_count.
-    uint32_t arc_count{};
-    /// 3 per node: x, y, and the time at which the front arrives: the distance to the lines of its edges
-    Span<const double> nodes;
-    /// 4 per arc: nodes from and to, the later one last; faces to its left and right
-    Span<const uint32_t> arcs;
-    /// contour_count + 1 values
-    Span<const uint32_t> face_offsets;
-    /// each face's nodes counter-clockwise, starting with its edge's two points
-    Span<const uint32_t> face_nodes;
-    /// one per point of the cleaned contour: its index in the input, or FLG_NO_INDEX
-    Span<const uint32_t> input_points;
-    /// Both as fractions of the contour's box diagonal. Largest difference between a time and the distance: usually
-    /// 1e-13, up to 1e-6 with nearly parallel edges.
-    double residual{};
-    /// How far points were moved to find the skeleton: usually 0; 1e-9 or 1e-7 where events at nearly the same time
-    /// could not be told apart. The first nodes remain at the contour's points.
-    double perturbation{};
-
-    /// Empty.
-    StraightSkeletonView() { flgStraightSkeletonViewInit(&c_, detail::size_of<FlgStraightSkeletonView>); }
-    /// Of the C struct.
-    StraightSkeletonView(const FlgStraightSkeletonView& c) : c_(c) {
-        contour_count = c.contour_count;
-        node_count = c.node_count;
-        arc_count = c.arc_count;
-        residual = c.residual;
-        perturbation = c.perturbation;
-        nodes = detail::span(c.nodes, std::size_t{3} * node_count);
-        arcs = detail::span(c.arcs, std::size_t{4} * arc_count);
-        face_offsets = detail::span(c.face_offsets, std::size_t{contour_count} + 1);
-        face_nodes = detail::span(c.face_nodes, face_offsets.empty() ? 0 : face_offsets[contour_count]);
-        input_points = detail::span(c.input_points, contour_count);
-    }
-    /// The C struct, for C functions.
-    const FlgStraightSkeletonView& get() const noexcept { return c_; }
-    /// The C struct.
-    operator FlgStraightSkeletonView() const noexcept { return c_; }
-
-private:
-    FlgStraightSkeletonView c_;
 };
 
 /// A triangle mesh in flat arrays. Used for input (the host owns the arrays, which must live for the call) and for
@@ -1052,6 +972,123 @@ struct FieldView {
 
 private:
     FlgFieldView c_;
+};
+
+/// All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h).
+struct TangleHistory {
+    /// including undone steps, up to the first undone edit
+    uint32_t step_count{};
+    /// steps not undone
+    uint32_t made_count{};
+    /// oldest first
+    Span<const FlgTangleStep* const> steps;
+    /// identifies the mesh: from the tangle's initial positions and triangles, to the bit
+    uint64_t base{};
+    /// box of those positions, relative to the surface's origin, as all positions are: a history does not depend on
+    /// where its mesh is
+    float box_min[3]{};
+    /// box of those positions, relative to the surface's origin, as all positions are: a history does not depend on
+    /// where its mesh is
+    float box_max[3]{};
+
+    /// Empty.
+    TangleHistory() { flgTangleHistoryInit(&c_, detail::size_of<FlgTangleHistory>); }
+    /// Of the C struct.
+    TangleHistory(const FlgTangleHistory& c) : c_(c) {
+        step_count = c.step_count;
+        made_count = c.made_count;
+        base = c.base;
+        for (int i = 0; i < 3; ++i) box_min[i] = c.box_min[i];
+        for (int i = 0; i < 3; ++i) box_max[i] = c.box_max[i];
+        steps = detail::span(c.steps, step_count);
+    }
+    /// The C struct, for C functions.
+    const FlgTangleHistory& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgTangleHistory() const noexcept { return c_; }
+
+private:
+    FlgTangleHistory c_;
+};
+
+/// A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and may
+/// repeat their first point at the end. The host owns the arrays, which must live for the call.
+struct ContourView {
+    /// 3 to 2^24
+    uint32_t point_count{};
+    /// 2 per point: x, y; magnitude 0 or 1e-150 to 1e150
+    Span<const double> points;
+    /// ring_count + 1 values: the start of each ring, then point_count; null: one ring
+    Span<const uint32_t> ring_offsets;
+    /// at least 1; default 1
+    uint32_t ring_count{};
+
+    /// Empty.
+    ContourView() { flgContourViewInit(&c_, detail::size_of<FlgContourView>); }
+    /// Of the C struct.
+    ContourView(const FlgContourView& c) : c_(c) {
+        point_count = c.point_count;
+        ring_count = c.ring_count;
+        points = detail::span(c.points, std::size_t{2} * point_count);
+        ring_offsets = detail::span(c.ring_offsets, std::size_t{ring_count} + 1);
+    }
+    /// The C struct, for C functions.
+    const FlgContourView& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgContourView() const noexcept { return c_; }
+
+private:
+    FlgContourView c_;
+};
+
+/// The first nodes are the contour's points, ring by ring, at time 0. Face i is the area swept by the edge that starts
+/// at point i.
+struct StraightSkeletonView {
+    /// points of the cleaned contour; also the number of faces
+    uint32_t contour_count{};
+    /// FlgStraightSkeletonView::node_count.
+    uint32_t node_count{};
+    /// FlgStraightSkeletonView::arc_count.
+    uint32_t arc_count{};
+    /// 3 per node: x, y, and the time at which the front arrives: the distance to the lines of its edges
+    Span<const double> nodes;
+    /// 4 per arc: nodes from and to, the later one last; faces to its left and right
+    Span<const uint32_t> arcs;
+    /// contour_count + 1 values
+    Span<const uint32_t> face_offsets;
+    /// each face's nodes counter-clockwise, starting with its edge's two points
+    Span<const uint32_t> face_nodes;
+    /// one per point of the cleaned contour: its index in the input, or FLG_NO_INDEX
+    Span<const uint32_t> input_points;
+    /// Both as fractions of the contour's box diagonal. Largest difference between a time and the distance: usually
+    /// 1e-13, up to 1e-6 with nearly parallel edges.
+    double residual{};
+    /// How far points were moved to find the skeleton: usually 0; 1e-9 or 1e-7 where events at nearly the same time
+    /// could not be told apart. The first nodes remain at the contour's points.
+    double perturbation{};
+
+    /// Empty.
+    StraightSkeletonView() { flgStraightSkeletonViewInit(&c_, detail::size_of<FlgStraightSkeletonView>); }
+    /// Of the C struct.
+    StraightSkeletonView(const FlgStraightSkeletonView& c) : c_(c) {
+        contour_count = c.contour_count;
+        node_count = c.node_count;
+        arc_count = c.arc_count;
+        residual = c.residual;
+        perturbation = c.perturbation;
+        nodes = detail::span(c.nodes, std::size_t{3} * node_count);
+        arcs = detail::span(c.arcs, std::size_t{4} * arc_count);
+        face_offsets = detail::span(c.face_offsets, std::size_t{contour_count} + 1);
+        face_nodes = detail::span(c.face_nodes, face_offsets.empty() ? 0 : face_offsets[contour_count]);
+        input_points = detail::span(c.input_points, contour_count);
+    }
+    /// The C struct, for C functions.
+    const FlgStraightSkeletonView& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgStraightSkeletonView() const noexcept { return c_; }
+
+private:
+    FlgStraightSkeletonView c_;
 };
 
 /// Ready to become a part: `contour` for FlgPartDesc, `placement` for FlgModelPart.
@@ -1418,43 +1455,6 @@ struct Rig {
 
 private:
     FlgRig c_;
-};
-
-/// All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h).
-struct TangleHistory {
-    /// including undone steps, up to the first undone edit
-    uint32_t step_count{};
-    /// steps not undone
-    uint32_t made_count{};
-    /// oldest first
-    Span<const FlgTangleStep* const> steps;
-    /// identifies the mesh: from the tangle's initial positions and triangles, to the bit
-    uint64_t base{};
-    /// box of those positions, relative to the surface's origin, as all positions are: a history does not depend on
-    /// where its mesh is
-    float box_min[3]{};
-    /// box of those positions, relative to the surface's origin, as all positions are: a history does not depend on
-    /// where its mesh is
-    float box_max[3]{};
-
-    /// Empty.
-    TangleHistory() { flgTangleHistoryInit(&c_, detail::size_of<FlgTangleHistory>); }
-    /// Of the C struct.
-    TangleHistory(const FlgTangleHistory& c) : c_(c) {
-        step_count = c.step_count;
-        made_count = c.made_count;
-        base = c.base;
-        for (int i = 0; i < 3; ++i) box_min[i] = c.box_min[i];
-        for (int i = 0; i < 3; ++i) box_max[i] = c.box_max[i];
-        steps = detail::span(c.steps, step_count);
-    }
-    /// The C struct, for C functions.
-    const FlgTangleHistory& get() const noexcept { return c_; }
-    /// The C struct.
-    operator FlgTangleHistory() const noexcept { return c_; }
-
-private:
-    FlgTangleHistory c_;
 };
 
 /// What FlgCurveFileInfo shows.
@@ -2007,54 +2007,6 @@ struct CurveSetStylizeDesc : FlgCurveSetStylizeDesc {
     void set_further_styles(std::initializer_list<FlgStyle>) = delete;
 };
 
-/// What to make, and of which curves.
-struct BrushMeshDesc : FlgBrushMeshDesc {
-    /// The defaults.
-    BrushMeshDesc() { flgBrushMeshDescInit(this, detail::size_of<FlgBrushMeshDesc>); }
-    /// Of the C struct.
-    BrushMeshDesc(const FlgBrushMeshDesc& c) : FlgBrushMeshDesc(c) {}
-};
-
-/// Where a growing stroke is. One per stroke; plain data that the host may copy, but not change.
-struct BrushMeshState : FlgBrushMeshState {
-    /// The defaults.
-    BrushMeshState() { flgBrushMeshStateInit(this, detail::size_of<FlgBrushMeshState>); }
-    /// Of the C struct.
-    BrushMeshState(const FlgBrushMeshState& c) : FlgBrushMeshState(c) {}
-};
-
-/// The buffers. They must not overlap each other, nor the input. Written from front to back and never read: mapped
-/// memory of a graphics card will do.
-struct BrushMeshOutput : FlgBrushMeshOutput {
-    /// The defaults.
-    BrushMeshOutput() { flgBrushMeshOutputInit(this, detail::size_of<FlgBrushMeshOutput>); }
-    /// Of the C struct.
-    BrushMeshOutput(const FlgBrushMeshOutput& c) : FlgBrushMeshOutput(c) {}
-    /// Sets columns and column_count. The array must live until the descriptor is used.
-    void set_columns(Span<const FlgBufferColumn> values) {
-        columns = values.data();
-        column_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_columns(std::initializer_list<FlgBufferColumn>) = delete;
-};
-
-/// FlgStraightSkeletonDesc with its defaults.
-struct StraightSkeletonDesc : FlgStraightSkeletonDesc {
-    /// The defaults.
-    StraightSkeletonDesc() { flgStraightSkeletonDescInit(this, detail::size_of<FlgStraightSkeletonDesc>); }
-    /// Of the C struct.
-    StraightSkeletonDesc(const FlgStraightSkeletonDesc& c) : FlgStraightSkeletonDesc(c) {}
-};
-
-/// The front of a straight skeleton at a time. The host owns the arrays; null arrays are not written.
-struct OffsetPolygons : FlgOffsetPolygons {
-    /// The defaults.
-    OffsetPolygons() { flgOffsetPolygonsInit(this, detail::size_of<FlgOffsetPolygons>); }
-    /// Of the C struct.
-    OffsetPolygons(const FlgOffsetPolygons& c) : FlgOffsetPolygons(c) {}
-};
-
 /// FlgSurfaceDesc with its defaults.
 struct SurfaceDesc : FlgSurfaceDesc {
     /// The defaults.
@@ -2289,6 +2241,220 @@ struct SurfaceCutCurvesDesc : FlgSurfaceCutCurvesDesc {
         flgSurfaceCutCurvesDescInit(this, detail::size_of<FlgSurfaceCutCurvesDesc>);
         curves = curves_;
     }
+};
+
+/// Where an operator starts: everything named here, combined. Empty by default. Arrays are copied.
+struct TangleSeeds : FlgTangleSeeds {
+    /// The defaults.
+    TangleSeeds() { flgTangleSeedsInit(this, detail::size_of<FlgTangleSeeds>); }
+    /// Of the C struct.
+    TangleSeeds(const FlgTangleSeeds& c) : FlgTangleSeeds(c) {}
+    /// Sets points and point_count. The array must live until the descriptor is used.
+    void set_points(Span<const FlgSurfacePoint> values) {
+        points = values.data();
+        point_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_points(std::initializer_list<FlgSurfacePoint>) = delete;
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// An operator. It numbers parts as follows. Between isolines: outwards from the seeds. Between streams: along a. For a
+/// polyline: 0 left of its curves (where most of the border is) and 1 elsewhere. Otherwise: in the order of their first
+/// triangles.
+struct TangleDivideDesc : FlgTangleDivideDesc {
+    /// The defaults.
+    TangleDivideDesc() { flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>); }
+    /// Of the C struct.
+    TangleDivideDesc(const FlgTangleDivideDesc& c) : FlgTangleDivideDesc(c) {}
+    /// The defaults, with tangle.
+    TangleDivideDesc(FlgTangle tangle_) {
+        flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>);
+        tangle = tangle_;
+    }
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// Common combinations of operators, sec. 3.4 and Fig. 13.
+struct TangleApplyMacroDesc : FlgTangleApplyMacroDesc {
+    /// The defaults.
+    TangleApplyMacroDesc() { flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>); }
+    /// Of the C struct.
+    TangleApplyMacroDesc(const FlgTangleApplyMacroDesc& c) : FlgTangleApplyMacroDesc(c) {}
+    /// The defaults, with tangle.
+    TangleApplyMacroDesc(FlgTangle tangle_) {
+        flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>);
+        tangle = tangle_;
+    }
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount` at
+/// the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In between, the
+/// height is a profile of the distance, by the bias and gain of Schlick (1994). The ridges of the distance are rounded,
+/// by some percent of the largest one; normals are smoothed within the regions, over up to half of `amount`. Where a
+/// triangle that is no sliver would turn over, the height is lowered. (Parts of the surface that face each other may
+/// still meet.) Later distances are measured on the new surface.
+struct TangleDisplaceDesc : FlgTangleDisplaceDesc {
+    /// The defaults.
+    TangleDisplaceDesc() { flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>); }
+    /// Of the C struct.
+    TangleDisplaceDesc(const FlgTangleDisplaceDesc& c) : FlgTangleDisplaceDesc(c) {}
+    /// The defaults, with tangle.
+    TangleDisplaceDesc(FlgTangle tangle_) {
+        flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>);
+        tangle = tangle_;
+    }
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// Where an operator's seeds were: used to find them again on another mesh of the same shape. Positions are x, y, z in
+/// metres.
+struct TangleSeedPlaces : FlgTangleSeedPlaces {
+    /// The defaults.
+    TangleSeedPlaces() { flgTangleSeedPlacesInit(this, detail::size_of<FlgTangleSeedPlaces>); }
+    /// Of the C struct.
+    TangleSeedPlaces(const FlgTangleSeedPlaces& c) : FlgTangleSeedPlaces(c) {}
+    /// Sets points and point_count. The array must live until the descriptor is used.
+    void set_points(Span<const float> values) {
+        points = values.data();
+        point_count = detail::count(values.size(), 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_points(std::initializer_list<float>) = delete;
+    /// Sets loops and loop_count. The array must live until the descriptor is used.
+    void set_loops(Span<const float> values) {
+        loops = values.data();
+        loop_count = detail::count(values.size(), 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_loops(std::initializer_list<float>) = delete;
+    /// Sets samples and sample_count. The array must live until the descriptor is used.
+    void set_samples(Span<const float> values) {
+        samples = values.data();
+        sample_count = detail::count(values.size(), 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_samples(std::initializer_list<float>) = delete;
+};
+
+/// The arguments of a step, and the data needed to repeat it.
+struct TangleStep : FlgTangleStep {
+    /// The defaults.
+    TangleStep() { flgTangleStepInit(this, detail::size_of<FlgTangleStep>); }
+    /// Of the C struct.
+    TangleStep(const FlgTangleStep& c) : FlgTangleStep(c) {}
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+    /// Sets places and place_count. The array must live until the descriptor is used.
+    void set_places(Span<const FlgTangleSeedPlaces* const> values) {
+        places = values.data();
+        place_count = detail::count(values.size());
+    }
+    /// Sets made and made_count. The array must live until the descriptor is used.
+    void set_made(Span<const float> values) {
+        made = values.data();
+        made_count = detail::count(values.size(), 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_made(std::initializer_list<float>) = delete;
+    /// Sets names and name_count. The array must live until the descriptor is used.
+    void set_names(Span<const FlgTangleRegionName> values) {
+        names = values.data();
+        name_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_names(std::initializer_list<FlgTangleRegionName>) = delete;
+};
+
+/// What is drawn, and where to: null maps are not wanted, one at least is.
+struct TangleBakeDesc : FlgTangleBakeDesc {
+    /// The defaults.
+    TangleBakeDesc() { flgTangleBakeDescInit(this, detail::size_of<FlgTangleBakeDesc>); }
+    /// Of the C struct.
+    TangleBakeDesc(const FlgTangleBakeDesc& c) : FlgTangleBakeDesc(c) {}
+    /// The defaults, with tangle.
+    TangleBakeDesc(FlgTangle tangle_) {
+        flgTangleBakeDescInit(this, detail::size_of<FlgTangleBakeDesc>);
+        tangle = tangle_;
+    }
+};
+
+/// What to make, and of which curves.
+struct BrushMeshDesc : FlgBrushMeshDesc {
+    /// The defaults.
+    BrushMeshDesc() { flgBrushMeshDescInit(this, detail::size_of<FlgBrushMeshDesc>); }
+    /// Of the C struct.
+    BrushMeshDesc(const FlgBrushMeshDesc& c) : FlgBrushMeshDesc(c) {}
+};
+
+/// Where a growing stroke is. One per stroke; plain data that the host may copy, but not change.
+struct BrushMeshState : FlgBrushMeshState {
+    /// The defaults.
+    BrushMeshState() { flgBrushMeshStateInit(this, detail::size_of<FlgBrushMeshState>); }
+    /// Of the C struct.
+    BrushMeshState(const FlgBrushMeshState& c) : FlgBrushMeshState(c) {}
+};
+
+/// The buffers. They must not overlap each other, nor the input. Written from front to back and never read: mapped
+/// memory of a graphics card will do.
+struct BrushMeshOutput : FlgBrushMeshOutput {
+    /// The defaults.
+    BrushMeshOutput() { flgBrushMeshOutputInit(this, detail::size_of<FlgBrushMeshOutput>); }
+    /// Of the C struct.
+    BrushMeshOutput(const FlgBrushMeshOutput& c) : FlgBrushMeshOutput(c) {}
+    /// Sets columns and column_count. The array must live until the descriptor is used.
+    void set_columns(Span<const FlgBufferColumn> values) {
+        columns = values.data();
+        column_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_columns(std::initializer_list<FlgBufferColumn>) = delete;
+};
+
+/// FlgStraightSkeletonDesc with its defaults.
+struct StraightSkeletonDesc : FlgStraightSkeletonDesc {
+    /// The defaults.
+    StraightSkeletonDesc() { flgStraightSkeletonDescInit(this, detail::size_of<FlgStraightSkeletonDesc>); }
+    /// Of the C struct.
+    StraightSkeletonDesc(const FlgStraightSkeletonDesc& c) : FlgStraightSkeletonDesc(c) {}
+};
+
+/// The front of a straight skeleton at a time. The host owns the arrays; null arrays are not written.
+struct OffsetPolygons : FlgOffsetPolygons {
+    /// The defaults.
+    OffsetPolygons() { flgOffsetPolygonsInit(this, detail::size_of<FlgOffsetPolygons>); }
+    /// Of the C struct.
+    OffsetPolygons(const FlgOffsetPolygons& c) : FlgOffsetPolygons(c) {}
 };
 
 /// FlgOutlineDesc with its defaults.
@@ -2540,159 +2706,6 @@ struct RigFindDesc : FlgRigFindDesc {
     }
     /// A list would end before the descriptor is used.
     void set_joint_parents(std::initializer_list<uint32_t>) = delete;
-};
-
-/// Where an operator starts: everything named here, combined. Empty by default. Arrays are copied.
-struct TangleSeeds : FlgTangleSeeds {
-    /// The defaults.
-    TangleSeeds() { flgTangleSeedsInit(this, detail::size_of<FlgTangleSeeds>); }
-    /// Of the C struct.
-    TangleSeeds(const FlgTangleSeeds& c) : FlgTangleSeeds(c) {}
-    /// Sets points and point_count. The array must live until the descriptor is used.
-    void set_points(Span<const FlgSurfacePoint> values) {
-        points = values.data();
-        point_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_points(std::initializer_list<FlgSurfacePoint>) = delete;
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// An operator. It numbers parts as follows. Between isolines: outwards from the seeds. Between streams: along a. For a
-/// polyline: 0 left of its curves (where most of the border is) and 1 elsewhere. Otherwise: in the order of their first
-/// triangles.
-struct TangleDivideDesc : FlgTangleDivideDesc {
-    /// The defaults.
-    TangleDivideDesc() { flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>); }
-    /// Of the C struct.
-    TangleDivideDesc(const FlgTangleDivideDesc& c) : FlgTangleDivideDesc(c) {}
-    /// The defaults, with tangle.
-    TangleDivideDesc(FlgTangle tangle_) {
-        flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>);
-        tangle = tangle_;
-    }
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// Common combinations of operators, sec. 3.4 and Fig. 13.
-struct TangleApplyMacroDesc : FlgTangleApplyMacroDesc {
-    /// The defaults.
-    TangleApplyMacroDesc() { flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>); }
-    /// Of the C struct.
-    TangleApplyMacroDesc(const FlgTangleApplyMacroDesc& c) : FlgTangleApplyMacroDesc(c) {}
-    /// The defaults, with tangle.
-    TangleApplyMacroDesc(FlgTangle tangle_) {
-        flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>);
-        tangle = tangle_;
-    }
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount` at
-/// the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In between, the
-/// height is a profile of the distance, by the bias and gain of Schlick (1994). The ridges of the distance are rounded,
-/// by some percent of the largest one; normals are smoothed within the regions, over up to half of `amount`. Where a
-/// triangle that is no sliver would turn over, the height is lowered. (Parts of the surface that face each other may
-/// still meet.) Later distances are measured on the new surface.
-struct TangleDisplaceDesc : FlgTangleDisplaceDesc {
-    /// The defaults.
-    TangleDisplaceDesc() { flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>); }
-    /// Of the C struct.
-    TangleDisplaceDesc(const FlgTangleDisplaceDesc& c) : FlgTangleDisplaceDesc(c) {}
-    /// The defaults, with tangle.
-    TangleDisplaceDesc(FlgTangle tangle_) {
-        flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>);
-        tangle = tangle_;
-    }
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// Where an operator's seeds were: used to find them again on another mesh of the same shape. Positions are x, y, z in
-/// metres.
-struct TangleSeedPlaces : FlgTangleSeedPlaces {
-    /// The defaults.
-    TangleSeedPlaces() { flgTangleSeedPlacesInit(this, detail::size_of<FlgTangleSeedPlaces>); }
-    /// Of the C struct.
-    TangleSeedPlaces(const FlgTangleSeedPlaces& c) : FlgTangleSeedPlaces(c) {}
-    /// Sets points and point_count. The array must live until the descriptor is used.
-    void set_points(Span<const float> values) {
-        points = values.data();
-        point_count = detail::count(values.size(), 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_points(std::initializer_list<float>) = delete;
-    /// Sets loops and loop_count. The array must live until the descriptor is used.
-    void set_loops(Span<const float> values) {
-        loops = values.data();
-        loop_count = detail::count(values.size(), 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_loops(std::initializer_list<float>) = delete;
-    /// Sets samples and sample_count. The array must live until the descriptor is used.
-    void set_samples(Span<const float> values) {
-        samples = values.data();
-        sample_count = detail::count(values.size(), 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_samples(std::initializer_list<float>) = delete;
-};
-
-/// The arguments of a step, and the data needed to repeat it.
-struct TangleStep : FlgTangleStep {
-    /// The defaults.
-    TangleStep() { flgTangleStepInit(this, detail::size_of<FlgTangleStep>); }
-    /// Of the C struct.
-    TangleStep(const FlgTangleStep& c) : FlgTangleStep(c) {}
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-    /// Sets places and place_count. The array must live until the descriptor is used.
-    void set_places(Span<const FlgTangleSeedPlaces* const> values) {
-        places = values.data();
-        place_count = detail::count(values.size());
-    }
-    /// Sets made and made_count. The array must live until the descriptor is used.
-    void set_made(Span<const float> values) {
-        made = values.data();
-        made_count = detail::count(values.size(), 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_made(std::initializer_list<float>) = delete;
-    /// Sets names and name_count. The array must live until the descriptor is used.
-    void set_names(Span<const FlgTangleRegionName> values) {
-        names = values.data();
-        name_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_names(std::initializer_list<FlgTangleRegionName>) = delete;
 };
 
 /// Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on their
@@ -3532,66 +3545,6 @@ public:
     }
 };
 
-/// The straight skeleton of a contour. Never changes once ready.
-class StraightSkeleton : public detail::Owner<FlgStraightSkeleton, flgStraightSkeletonRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the skeleton is released. FLG_NOT_READY until its job is published, the job's error if it
-    /// failed.
-    /// Calls flgStraightSkeletonGetView.
-    Result<StraightSkeletonView> view() const {
-        FlgStraightSkeletonView out_view;
-        flgStraightSkeletonViewInit(&out_view, detail::size_of<FlgStraightSkeletonView>);
-        const FlgResult result = flgStraightSkeletonGetView(context_, handle_, &out_view);
-        return detail::made(result, StraightSkeletonView(out_view));
-    }
-
-    /// The contour moved inwards by a distance, with sharp corners. Rings have their inside on the left; each starts at
-    /// the side of its lowest-numbered edge, and rings are ordered by these edges. 0 gives the contour; beyond the last
-    /// node's time nothing is left. Writes the counts, and the arrays if everything fits: call it without arrays to
-    /// query the size. FLG_NOT_READY until the skeleton's job is published, its error if it failed;
-    /// FLG_ERROR_INVALID_ARGUMENT for a distance below 0 or not finite. Cost: about 50 ns a point of the contour, each
-    /// time.
-    /// Calls flgStraightSkeletonOffset.
-    Result<bool> offset(double distance, FlgOffsetPolygons& polygons) const {
-        const FlgResult result = flgStraightSkeletonOffset(context_, handle_, distance, &polygons);
-        return detail::done(result);
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgStraightSkeletonView shown;
-        flgStraightSkeletonViewInit(&shown, detail::size_of<FlgStraightSkeletonView>);
-        return detail::done(flgStraightSkeletonGetView(context_, handle_, &shown));
-    }
-
-    /// A front: what is inside lies to the left of each ring.
-    struct Rings {
-        std::vector<double> points;     ///< 2 per point
-        std::vector<uint32_t> edges;    ///< one per point: the edge that made the side from it to the next
-        std::vector<uint32_t> offsets;  ///< where each ring begins, and the end; empty until ready
-    };
-    /// The front in arrays of its own, by the same function.
-    Result<Rings> offset(double distance) const {
-        FlgOffsetPolygons polygons;
-        flgOffsetPolygonsInit(&polygons, detail::size_of<FlgOffsetPolygons>);
-        Rings rings;
-        FlgResult result = flgStraightSkeletonOffset(context_, handle_, distance, &polygons);
-        if (result != FLG_OK) return detail::made(result, std::move(rings));
-        rings.points.resize(2 * std::size_t{polygons.point_count});
-        rings.edges.resize(polygons.point_count);
-        rings.offsets.resize(std::size_t{polygons.ring_count} + 1);
-        polygons.point_capacity = polygons.point_count;
-        polygons.ring_capacity = polygons.ring_count;
-        polygons.points = rings.points.data();
-        polygons.edges = rings.edges.data();
-        polygons.ring_offsets = rings.offsets.data();
-        result = flgStraightSkeletonOffset(context_, handle_, distance, &polygons);
-        return detail::made(result, std::move(rings));
-    }
-};
-
 /// Curves on a surface, straight in each triangle. Never change once ready.
 class SurfaceCurves : public detail::Owner<FlgSurfaceCurves, flgSurfaceCurvesRelease> {
 public:
@@ -3799,169 +3752,6 @@ public:
     }
 };
 
-/// A surface's silhouette from afar, as a contour. Never changes once ready.
-class Outline : public detail::Owner<FlgOutline, flgOutlineRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the outline is released. FLG_NOT_READY until its job is published, the job's error if it
-    /// failed.
-    /// Calls flgOutlineGetView.
-    Result<OutlineView> view() const {
-        FlgOutlineView out_view;
-        flgOutlineViewInit(&out_view, detail::size_of<FlgOutlineView>);
-        const FlgResult result = flgOutlineGetView(context_, handle_, &out_view);
-        return detail::made(result, OutlineView(out_view));
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgOutlineView shown;
-        flgOutlineViewInit(&shown, detail::size_of<FlgOutlineView>);
-        return detail::done(flgOutlineGetView(context_, handle_, &shown));
-    }
-};
-
-/// A drawn contour with its axis. Never changes once ready.
-class Part : public detail::Owner<FlgPart, flgPartRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the part is released. FLG_NOT_READY until its job is published, the job's error if it
-    /// failed.
-    /// Calls flgPartGetView.
-    Result<PartView> view() const {
-        FlgPartView out_view;
-        flgPartViewInit(&out_view, detail::size_of<FlgPartView>);
-        const FlgResult result = flgPartGetView(context_, handle_, &out_view);
-        return detail::made(result, PartView(out_view));
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgPartView shown;
-        flgPartViewInit(&shown, detail::size_of<FlgPartView>);
-        return detail::done(flgPartGetView(context_, handle_, &shown));
-    }
-};
-
-/// A part's own inflated surface. Never changes once ready.
-class PartMesh : public detail::Owner<FlgPartMesh, flgPartMeshRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the mesh is released. FLG_NOT_READY until its job is published, the job's error if it
-    /// failed.
-    /// Calls flgPartMeshGetView.
-    Result<PartMeshView> view() const {
-        FlgPartMeshView out_view;
-        flgPartMeshViewInit(&out_view, detail::size_of<FlgPartMeshView>);
-        const FlgResult result = flgPartMeshGetView(context_, handle_, &out_view);
-        return detail::made(result, PartMeshView(out_view));
-    }
-
-    /// Starts a job that writes indices and column POSITION of a part's body. Cost: that of flgColumnsWrite and
-    /// flgIndicesWrite.
-    /// Calls flgPartMeshWrite.
-    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
-        FlgJob out_job{};
-        const FlgResult result = flgPartMeshWrite(context_, handle_, &output, job, &out_job);
-        return detail::made(result, Job(context_, out_job));
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgPartMeshView shown;
-        flgPartMeshViewInit(&shown, detail::size_of<FlgPartMeshView>);
-        return detail::done(flgPartMeshGetView(context_, handle_, &shown));
-    }
-};
-
-/// Parts in their places and one tree of joints. Never changes once ready.
-class Model : public detail::Owner<FlgModel, flgModelRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the model is released. FLG_NOT_READY until its job is published, the job's error if it
-    /// failed.
-    /// Calls flgModelGetView.
-    Result<ModelView> view() const {
-        FlgModelView out_view;
-        flgModelViewInit(&out_view, detail::size_of<FlgModelView>);
-        const FlgResult result = flgModelGetView(context_, handle_, &out_view);
-        return detail::made(result, ModelView(out_view));
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgModelView shown;
-        flgModelViewInit(&shown, detail::size_of<FlgModelView>);
-        return detail::done(flgModelGetView(context_, handle_, &shown));
-    }
-};
-
-/// A model's surface, bound to its joints. Never changes once ready.
-class Skin : public detail::Owner<FlgSkin, flgSkinRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the skin is released. FLG_NOT_READY until its job is published, the job's error if it
-    /// failed.
-    /// Calls flgSkinGetView.
-    Result<SkinView> view() const {
-        FlgSkinView out_view;
-        flgSkinViewInit(&out_view, detail::size_of<FlgSkinView>);
-        const FlgResult result = flgSkinGetView(context_, handle_, &out_view);
-        return detail::made(result, SkinView(out_view));
-    }
-
-    /// Starts a job that makes a level of detail: the same surface, parts and joints with fewer vertices. Edges are
-    /// collapsed, those first that change the shape least; where weights change more stay. Borders of parts and sharp
-    /// corners stay where they are, pieces and holes remain, and a vertex has the weights of its place on the surface.
-    /// So few vertices may not be reachable: then the result has the fewest that are. With as many as the skin has, or
-    /// more, it is a copy. Cost: about 2 us a vertex of the skin and 20 us for each that goes.
-    /// Calls flgSkinSimplify.
-    Result<Skin> simplify(SkinSimplifyDesc desc = {}, Job* out_job = nullptr) const {
-        desc.skin = handle_;
-        FlgSkin out_skin{};
-        FlgJob job_made{};
-        const FlgResult result = flgSkinSimplify(context_, &desc, &out_skin, out_job ? &job_made : nullptr);
-        if (out_job) *out_job = Job(context_, job_made);
-        return detail::made(result, Skin(context_, out_skin));
-    }
-
-    /// Starts a job that makes the same skin with other weights, as painted ones: all else is the source's, which stays
-    /// as it is. Weights get the sum 1 and the largest first; a joint that a vertex has twice gets both weights.
-    /// Weights out of range are refused at once; another vertex_count than the skin's, or a joint that it does not
-    /// have, makes the job fail with FLG_ERROR_INVALID_ARGUMENT. Cost: 20 ns a vertex in the call, 0.1 us in the job.
-    /// Calls flgSkinSetWeights.
-    Result<Skin> set_weights(SkinSetWeightsDesc desc = {}, Job* out_job = nullptr) const {
-        desc.skin = handle_;
-        FlgSkin out_skin{};
-        FlgJob job_made{};
-        const FlgResult result = flgSkinSetWeights(context_, &desc, &out_skin, out_job ? &job_made : nullptr);
-        if (out_job) *out_job = Job(context_, job_made);
-        return detail::made(result, Skin(context_, out_skin));
-    }
-
-    /// Starts a job that writes a skin's indices and columns: POSITION, NORMAL, JOINTS, WEIGHTS and PART. As UNORM8 and
-    /// UNORM16 the largest weight gets what makes the sum exactly 1. (flgSkinPose writes matrices into the host's
-    /// memory anyway.) Cost: that of flgColumnsWrite and flgIndicesWrite.
-    /// Calls flgSkinWrite.
-    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
-        FlgJob out_job{};
-        const FlgResult result = flgSkinWrite(context_, handle_, &output, job, &out_job);
-        return detail::made(result, Job(context_, out_job));
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgSkinView shown;
-        flgSkinViewInit(&shown, detail::size_of<FlgSkinView>);
-        return detail::done(flgSkinGetView(context_, handle_, &shown));
-    }
-};
-
 /// A surface, the tree of its regions, and the steps that made them.
 class Tangle : public detail::Owner<FlgTangle, flgTangleRelease> {
 public:
@@ -4153,11 +3943,248 @@ public:
         return detail::made(result, out_region);
     }
 
+    /// Starts a job that draws maps of a tangle as it is after the changes that were started before; later changes wait
+    /// for the job. It writes the maps and, for the padding, reads them back, on a worker or inside flgContextTick:
+    /// they must live until it is published, and must not overlap. A job that fails or is cancelled may have written a
+    /// part. Fails with FLG_ERROR_INVALID_ARGUMENT if a texture coordinate is not finite or outside 0 to 1, if
+    /// triangles overlap, if none covers a texel, or if `mesh` is not what the surface was made of. Cost: about 60 ns a
+    /// texel that is covered, and 0.5 us a triangle of the surface.
+    /// Calls flgTangleBake.
+    Result<Job> bake(TangleBakeDesc desc = {}) const {
+        desc.tangle = handle_;
+        FlgJob out_job{};
+        const FlgResult result = flgTangleBake(context_, &desc, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
     /// Whether info() has something to show. Fails as the job that makes it did.
     Result<bool> ready() const {
         FlgTangleInfo shown;
         flgTangleInfoInit(&shown, detail::size_of<FlgTangleInfo>);
         return detail::done(flgTangleGetInfo(context_, handle_, &shown));
+    }
+};
+
+/// The straight skeleton of a contour. Never changes once ready.
+class StraightSkeleton : public detail::Owner<FlgStraightSkeleton, flgStraightSkeletonRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the skeleton is released. FLG_NOT_READY until its job is published, the job's error if it
+    /// failed.
+    /// Calls flgStraightSkeletonGetView.
+    Result<StraightSkeletonView> view() const {
+        FlgStraightSkeletonView out_view;
+        flgStraightSkeletonViewInit(&out_view, detail::size_of<FlgStraightSkeletonView>);
+        const FlgResult result = flgStraightSkeletonGetView(context_, handle_, &out_view);
+        return detail::made(result, StraightSkeletonView(out_view));
+    }
+
+    /// The contour moved inwards by a distance, with sharp corners. Rings have their inside on the left; each starts at
+    /// the side of its lowest-numbered edge, and rings are ordered by these edges. 0 gives the contour; beyond the last
+    /// node's time nothing is left. Writes the counts, and the arrays if everything fits: call it without arrays to
+    /// query the size. FLG_NOT_READY until the skeleton's job is published, its error if it failed;
+    /// FLG_ERROR_INVALID_ARGUMENT for a distance below 0 or not finite. Cost: about 50 ns a point of the contour, each
+    /// time.
+    /// Calls flgStraightSkeletonOffset.
+    Result<bool> offset(double distance, FlgOffsetPolygons& polygons) const {
+        const FlgResult result = flgStraightSkeletonOffset(context_, handle_, distance, &polygons);
+        return detail::done(result);
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgStraightSkeletonView shown;
+        flgStraightSkeletonViewInit(&shown, detail::size_of<FlgStraightSkeletonView>);
+        return detail::done(flgStraightSkeletonGetView(context_, handle_, &shown));
+    }
+
+    /// A front: what is inside lies to the left of each ring.
+    struct Rings {
+        std::vector<double> points;     ///< 2 per point
+        std::vector<uint32_t> edges;    ///< one per point: the edge that made the side from it to the next
+        std::vector<uint32_t> offsets;  ///< where each ring begins, and the end; empty until ready
+    };
+    /// The front in arrays of its own, by the same function.
+    Result<Rings> offset(double distance) const {
+        FlgOffsetPolygons polygons;
+        flgOffsetPolygonsInit(&polygons, detail::size_of<FlgOffsetPolygons>);
+        Rings rings;
+        FlgResult result = flgStraightSkeletonOffset(context_, handle_, distance, &polygons);
+        if (result != FLG_OK) return detail::made(result, std::move(rings));
+        rings.points.resize(2 * std::size_t{polygons.point_count});
+        rings.edges.resize(polygons.point_count);
+        rings.offsets.resize(std::size_t{polygons.ring_count} + 1);
+        polygons.point_capacity = polygons.point_count;
+        polygons.ring_capacity = polygons.ring_count;
+        polygons.points = rings.points.data();
+        polygons.edges = rings.edges.data();
+        polygons.ring_offsets = rings.offsets.data();
+        result = flgStraightSkeletonOffset(context_, handle_, distance, &polygons);
+        return detail::made(result, std::move(rings));
+    }
+};
+
+/// A surface's silhouette from afar, as a contour. Never changes once ready.
+class Outline : public detail::Owner<FlgOutline, flgOutlineRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the outline is released. FLG_NOT_READY until its job is published, the job's error if it
+    /// failed.
+    /// Calls flgOutlineGetView.
+    Result<OutlineView> view() const {
+        FlgOutlineView out_view;
+        flgOutlineViewInit(&out_view, detail::size_of<FlgOutlineView>);
+        const FlgResult result = flgOutlineGetView(context_, handle_, &out_view);
+        return detail::made(result, OutlineView(out_view));
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgOutlineView shown;
+        flgOutlineViewInit(&shown, detail::size_of<FlgOutlineView>);
+        return detail::done(flgOutlineGetView(context_, handle_, &shown));
+    }
+};
+
+/// A drawn contour with its axis. Never changes once ready.
+class Part : public detail::Owner<FlgPart, flgPartRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the part is released. FLG_NOT_READY until its job is published, the job's error if it
+    /// failed.
+    /// Calls flgPartGetView.
+    Result<PartView> view() const {
+        FlgPartView out_view;
+        flgPartViewInit(&out_view, detail::size_of<FlgPartView>);
+        const FlgResult result = flgPartGetView(context_, handle_, &out_view);
+        return detail::made(result, PartView(out_view));
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgPartView shown;
+        flgPartViewInit(&shown, detail::size_of<FlgPartView>);
+        return detail::done(flgPartGetView(context_, handle_, &shown));
+    }
+};
+
+/// A part's own inflated surface. Never changes once ready.
+class PartMesh : public detail::Owner<FlgPartMesh, flgPartMeshRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the mesh is released. FLG_NOT_READY until its job is published, the job's error if it
+    /// failed.
+    /// Calls flgPartMeshGetView.
+    Result<PartMeshView> view() const {
+        FlgPartMeshView out_view;
+        flgPartMeshViewInit(&out_view, detail::size_of<FlgPartMeshView>);
+        const FlgResult result = flgPartMeshGetView(context_, handle_, &out_view);
+        return detail::made(result, PartMeshView(out_view));
+    }
+
+    /// Starts a job that writes indices and column POSITION of a part's body. Cost: that of flgColumnsWrite and
+    /// flgIndicesWrite.
+    /// Calls flgPartMeshWrite.
+    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgPartMeshWrite(context_, handle_, &output, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgPartMeshView shown;
+        flgPartMeshViewInit(&shown, detail::size_of<FlgPartMeshView>);
+        return detail::done(flgPartMeshGetView(context_, handle_, &shown));
+    }
+};
+
+/// Parts in their places and one tree of joints. Never changes once ready.
+class Model : public detail::Owner<FlgModel, flgModelRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the model is released. FLG_NOT_READY until its job is published, the job's error if it
+    /// failed.
+    /// Calls flgModelGetView.
+    Result<ModelView> view() const {
+        FlgModelView out_view;
+        flgModelViewInit(&out_view, detail::size_of<FlgModelView>);
+        const FlgResult result = flgModelGetView(context_, handle_, &out_view);
+        return detail::made(result, ModelView(out_view));
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgModelView shown;
+        flgModelViewInit(&shown, detail::size_of<FlgModelView>);
+        return detail::done(flgModelGetView(context_, handle_, &shown));
+    }
+};
+
+/// A model's surface, bound to its joints. Never changes once ready.
+class Skin : public detail::Owner<FlgSkin, flgSkinRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the skin is released. FLG_NOT_READY until its job is published, the job's error if it
+    /// failed.
+    /// Calls flgSkinGetView.
+    Result<SkinView> view() const {
+        FlgSkinView out_view;
+        flgSkinViewInit(&out_view, detail::size_of<FlgSkinView>);
+        const FlgResult result = flgSkinGetView(context_, handle_, &out_view);
+        return detail::made(result, SkinView(out_view));
+    }
+
+    /// Starts a job that makes a level of detail: the same surface, parts and joints with fewer vertices. Edges are
+    /// collapsed, those first that change the shape least; where weights change more stay. Borders of parts and sharp
+    /// corners stay where they are, pieces and holes remain, and a vertex has the weights of its place on the surface.
+    /// So few vertices may not be reachable: then the result has the fewest that are. With as many as the skin has, or
+    /// more, it is a copy. Cost: about 2 us a vertex of the skin and 20 us for each that goes.
+    /// Calls flgSkinSimplify.
+    Result<Skin> simplify(SkinSimplifyDesc desc = {}, Job* out_job = nullptr) const {
+        desc.skin = handle_;
+        FlgSkin out_skin{};
+        FlgJob job_made{};
+        const FlgResult result = flgSkinSimplify(context_, &desc, &out_skin, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, Skin(context_, out_skin));
+    }
+
+    /// Starts a job that makes the same skin with other weights, as painted ones: all else is the source's, which stays
+    /// as it is. Weights get the sum 1 and the largest first; a joint that a vertex has twice gets both weights.
+    /// Weights out of range are refused at once; another vertex_count than the skin's, or a joint that it does not
+    /// have, makes the job fail with FLG_ERROR_INVALID_ARGUMENT. Cost: 20 ns a vertex in the call, 0.1 us in the job.
+    /// Calls flgSkinSetWeights.
+    Result<Skin> set_weights(SkinSetWeightsDesc desc = {}, Job* out_job = nullptr) const {
+        desc.skin = handle_;
+        FlgSkin out_skin{};
+        FlgJob job_made{};
+        const FlgResult result = flgSkinSetWeights(context_, &desc, &out_skin, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, Skin(context_, out_skin));
+    }
+
+    /// Starts a job that writes a skin's indices and columns: POSITION, NORMAL, JOINTS, WEIGHTS and PART. As UNORM8 and
+    /// UNORM16 the largest weight gets what makes the sum exactly 1. (flgSkinPose writes matrices into the host's
+    /// memory anyway.) Cost: that of flgColumnsWrite and flgIndicesWrite.
+    /// Calls flgSkinWrite.
+    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgSkinWrite(context_, handle_, &output, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgSkinView shown;
+        flgSkinViewInit(&shown, detail::size_of<FlgSkinView>);
+        return detail::done(flgSkinGetView(context_, handle_, &shown));
     }
 };
 
@@ -4954,28 +4981,6 @@ public:
         return detail::made(result, CurveSet(handle_, out_set));
     }
 
-    /// Starts a job that makes the straight skeleton of a contour: the paths of its corners as all edges move inwards
-    /// at unit speed. This call copies and cleans the contour: it orients rings (ring 0 counter-clockwise, holes
-    /// clockwise) and merges consecutive points closer than 1e-11 of the drawing's size into the first. Collinear
-    /// points stay, each with a face. The call refuses numbers that are not finite and rings without three points or an
-    /// area; it takes about 20 ns a point. The job fails with FLG_ERROR_INVALID_ARGUMENT where edges cross or touch, or
-    /// a hole is not inside; the message names points and place. FLG_ERROR_INTERNAL if too much happens at one time to
-    /// find a valid skeleton: not known to occur. Cost: about 3 us a point, growing with n log n. With `repair` none of
-    /// this fails while an area is left. The contour becomes the border of the area that ring 0 winds around, either
-    /// way, minus the areas other rings wind around; of its connected parts, the largest is kept, with its holes. Where
-    /// nothing crosses or touches, points do not move, to the bit. Elsewhere they move by less than 1e-7 of the
-    /// drawing's size (about 1e-6 at points where the contour touches itself). Crossings get new points, whose
-    /// input_points are FLG_NO_INDEX. Repair adds about 2 us a point.
-    /// Calls flgStraightSkeletonCreate.
-    Result<StraightSkeleton> straight_skeleton(const StraightSkeletonDesc& desc, Job* out_job = nullptr) const {
-        FlgStraightSkeleton out_skeleton{};
-        FlgJob job_made{};
-        const FlgResult result = flgStraightSkeletonCreate(handle_, &desc, &out_skeleton,
-            out_job ? &job_made : nullptr);
-        if (out_job) *out_job = Job(handle_, job_made);
-        return detail::made(result, StraightSkeleton(handle_, out_skeleton));
-    }
-
     /// Starts a job that makes a manifold surface from any triangles; flgSurfaceGetReport reports its repairs. This
     /// call copies the arrays: about 10 ms for 2 million triangles. The job fails with FLG_ERROR_INVALID_ARGUMENT if an
     /// index is out of range, a position is not finite, or no triangle is left; also if the mesh lies so far from its
@@ -5079,6 +5084,39 @@ public:
         return detail::made(result, Job(handle_, out_job));
     }
 
+    /// Starts a job that makes a whole surface the root of a tangle: all labels become 0. The surface's own job may
+    /// still run. Cost: about 5 ns a triangle.
+    /// Calls flgTangleCreate.
+    Result<Tangle> tangle(FlgSurface surface, const FlgJobOptions* job = nullptr, Job* out_job = nullptr) const {
+        FlgTangle out_tangle{};
+        FlgJob job_made{};
+        const FlgResult result = flgTangleCreate(handle_, surface, job, &out_tangle, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(handle_, job_made);
+        return detail::made(result, Tangle(handle_, out_tangle));
+    }
+
+    /// Starts a job that makes the straight skeleton of a contour: the paths of its corners as all edges move inwards
+    /// at unit speed. This call copies and cleans the contour: it orients rings (ring 0 counter-clockwise, holes
+    /// clockwise) and merges consecutive points closer than 1e-11 of the drawing's size into the first. Collinear
+    /// points stay, each with a face. The call refuses numbers that are not finite and rings without three points or an
+    /// area; it takes about 20 ns a point. The job fails with FLG_ERROR_INVALID_ARGUMENT where edges cross or touch, or
+    /// a hole is not inside; the message names points and place. FLG_ERROR_INTERNAL if too much happens at one time to
+    /// find a valid skeleton: not known to occur. Cost: about 3 us a point, growing with n log n. With `repair` none of
+    /// this fails while an area is left. The contour becomes the border of the area that ring 0 winds around, either
+    /// way, minus the areas other rings wind around; of its connected parts, the largest is kept, with its holes. Where
+    /// nothing crosses or touches, points do not move, to the bit. Elsewhere they move by less than 1e-7 of the
+    /// drawing's size (about 1e-6 at points where the contour touches itself). Crossings get new points, whose
+    /// input_points are FLG_NO_INDEX. Repair adds about 2 us a point.
+    /// Calls flgStraightSkeletonCreate.
+    Result<StraightSkeleton> straight_skeleton(const StraightSkeletonDesc& desc, Job* out_job = nullptr) const {
+        FlgStraightSkeleton out_skeleton{};
+        FlgJob job_made{};
+        const FlgResult result = flgStraightSkeletonCreate(handle_, &desc, &out_skeleton,
+            out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(handle_, job_made);
+        return detail::made(result, StraightSkeleton(handle_, out_skeleton));
+    }
+
     /// Starts a job that finds the silhouette of a surface or its regions from afar, or the border of a flat region; of
     /// several pieces the largest, with its holes. Fails if there are no such triangles or nothing is visible. Without
     /// a direction it also fails if the normals cancel out, as on a closed surface. Cost: 40 ns a triangle and 3 us a
@@ -5163,17 +5201,6 @@ public:
         const FlgResult result = flgSkinCreateFromMesh(handle_, &desc, &out_skin, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(handle_, job_made);
         return detail::made(result, Skin(handle_, out_skin));
-    }
-
-    /// Starts a job that makes a whole surface the root of a tangle: all labels become 0. The surface's own job may
-    /// still run. Cost: about 5 ns a triangle.
-    /// Calls flgTangleCreate.
-    Result<Tangle> tangle(FlgSurface surface, const FlgJobOptions* job = nullptr, Job* out_job = nullptr) const {
-        FlgTangle out_tangle{};
-        FlgJob job_made{};
-        const FlgResult result = flgTangleCreate(handle_, surface, job, &out_tangle, out_job ? &job_made : nullptr);
-        if (out_job) *out_job = Job(handle_, job_made);
-        return detail::made(result, Tangle(handle_, out_tangle));
     }
 
     /// Begins a stroke. FLG_NOT_READY while the style is not prepared, or not warm at this temperature (flgStyleWarm);

@@ -5,6 +5,7 @@
 #ifndef FILIGREE_FILIGREE_ALL_H
 #define FILIGREE_FILIGREE_ALL_H
 
+#include "filigree_bake.h"
 #include "filigree_brush.h"
 #include "filigree_buffers.h"
 #include "filigree_io.h"
