@@ -164,13 +164,14 @@ Outlines outlines_of_svg(const std::string& path) {
             if (rings[order[k]].encloses(rings[ring])) parent[ring] = order[k];
         is_hole[ring] = parent[ring] != none && !is_hole[parent[ring]];
     }
+    std::vector<size_t> contour_of(rings.size());
     for (size_t r = 0; r < rings.size(); ++r) {
         if (is_hole[r]) continue;
-        ContourArrays& contour = out.contours.emplace_back();
-        add_ring(contour, rings[r]);
-        for (size_t hole = 0; hole < rings.size(); ++hole)
-            if (is_hole[hole] && parent[hole] == r) add_ring(contour, rings[hole]);
+        contour_of[r] = out.contours.size();
+        add_ring(out.contours.emplace_back(), rings[r]);
     }
+    for (size_t r = 0; r < rings.size(); ++r)
+        if (is_hole[r]) add_ring(out.contours[contour_of[parent[r]]], rings[r]);
     return out;
 }
 
