@@ -11,19 +11,7 @@
 #include <typeindex>
 #include <vector>
 
-#include "filigree/filigree_brush.h"
-#include "filigree/filigree_buffers.h"
-#include "filigree/filigree_debug.h"
-#include "filigree/filigree_live.h"
-#include "filigree/filigree_model.h"
-#include "filigree/filigree_motion.h"
-#include "filigree/filigree_project.h"
-#include "filigree/filigree_pull.h"
-#include "filigree/filigree_rig.h"
-#include "filigree/filigree_skeleton.h"
-#include "filigree/filigree_spline.h"
-#include "filigree/filigree_surface.h"
-#include "filigree/filigree_tangle.h"
+#include "filigree/filigree_all.h"
 #include "fuzz/bounded_memory.h"
 #include "hardening/scenarios.h"
 
