@@ -27,6 +27,7 @@ public:
     std::vector<JsonPlace> items() const;
 
     bool is_string() const { return value_->is_string(); }
+    bool is_null() const { return value_->is_null(); }
     bool is_array() const { return value_->is_array(); }
     std::string text() const;
     bool flag() const;

@@ -296,6 +296,11 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
     desc.apart_pair_count = static_cast<uint32_t>(drawing.apart.size());
     desc.joint_edits = edits.data();
     desc.joint_edit_count = static_cast<uint32_t>(edits.size());
+    FlgModelView previous;
+    if (drawing.previous) {
+        previous = drawing.previous->view();
+        desc.previous_view = &previous;
+    }
     FlgModel model = {};
     FlgJob job = {};
     check(flgModelCreate(session.context(), &desc, &model, &job), subject);

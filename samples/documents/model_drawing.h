@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "documents/contour_file.h"
 #include "documents/json_place.h"
+#include "documents/kept_joints.h"
 #include "documents/session.h"
 #include "filigree/filigree_io.h"
 #include "filigree/filigree_model.h"
@@ -51,6 +53,7 @@ struct ModelDrawing {
     std::string root, root_joint;  // of the part, and of its joint; empty: to be found
     std::vector<JointEdit> joint_edits;
     std::vector<std::array<std::string, 2>> apart;  // parts that are not welded
+    std::shared_ptr<const KeptJoints> previous;     // of its model before; null: joints' keys are new
 };
 
 // Throws InputError, with file and place.

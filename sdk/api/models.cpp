@@ -14,7 +14,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t max_parts = 4096;
-constexpr uint32_t max_joint_edits = 65535, max_apart_pairs = 65535;
+constexpr uint32_t max_joint_edits = 65535, max_apart_pairs = 65535, max_kept_joints = 65535;
 constexpr size_t max_name = 63;
 constexpr double shear_limit = 1e-4;  // of the scale
 
@@ -226,6 +226,41 @@ JointEdit read_joint_edit(const FlgJointEdit& in, uint32_t number, Memory* memor
     return out;
 }
 
+// Of a view that a host filled: what joints are known by.
+void read_kept_joints(const FlgModelView& in, HeldModel& model) {
+    constexpr size_t longest = 255;
+    if (model.previous) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.previous and desc.previous_view are both set");
+    const FlgModelView view = read_struct(&in, sized<FlgModelView>(), "desc.previous_view");
+    check_range(view.joint_count <= max_kept_joints, "desc.previous_view.joint_count", view.joint_count,
+                "at most 65535");
+    if (view.joint_count == 0) return;
+    require(view.joint_keys, "desc.previous_view.joint_keys");
+    require(view.joint_places, "desc.previous_view.joint_places");
+    require(view.joint_parents, "desc.previous_view.joint_parents");
+    model.kept_joints.reserve(view.joint_count);
+    for (uint32_t j = 0; j < view.joint_count; ++j) {
+        char name[64];
+        const auto field = [&](const char* member) {
+            std::snprintf(name, sizeof name, "desc.previous_view.%s[%u]", member, j);
+            return name;
+        };
+        require(view.joint_keys[j], field("joint_keys"));
+        const size_t length = strnlen(view.joint_keys[j], longest + 1);
+        if (length == 0 || length > longest)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s has %s bytes, must have 1 to %zu", field("joint_keys"),
+                          length == 0 ? "0" : "more", longest);
+        for (size_t k = 0; k < 2; ++k)
+            check_range(std::abs(view.joint_places[3 * size_t{j} + k]) <= 1e30, field("joint_places"),
+                        view.joint_places[3 * size_t{j} + k], "finite and at most 1e30 in size");
+        const uint32_t parent = view.joint_parents[j];
+        check_range(parent < j || parent == FLG_NO_INDEX, field("joint_parents"), parent,
+                    "a joint before it or FLG_NO_INDEX");
+        model.kept_joints.push_back({std::pmr::string(view.joint_keys[j], length, model.kept_joints.get_allocator()),
+                                     {view.joint_places[3 * size_t{j}], view.joint_places[3 * size_t{j} + 1]},
+                                     parent});
+    }
+}
+
 }  // namespace
 
 }  // namespace flg
@@ -337,6 +372,7 @@ FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel*
             out->previous = self.models.get(read.previous.id, "desc.previous");
             submission.read(*out->previous, "desc.previous");
         }
+        if (read.previous_view) read_kept_joints(*read.previous_view, *out);
         submission.job().strand.start(make_model(submission.pace(), out));
         *out_model = {submission.commit(self.models, out, out_job)};
     });

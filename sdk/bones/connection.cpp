@@ -12,6 +12,8 @@ namespace {
 
 constexpr double at_an_end = 1e-9;  // of a bone's length
 constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
+constexpr double meets_image = 2;   // of a ball's radius, from the mirror: tips reach beyond their balls
+constexpr double off_image = 1.5;   // likewise, of the end of an arm whose hand meets its image
 constexpr double alike = 0.1;       // of the radius: how far from each other's mirror images joints may be
 constexpr double thicker = 1.25;    // an arm that lies over the chest hangs by its shoulder: the end that is so thick
 
@@ -300,6 +302,33 @@ Task<Place> by_middle(Pace& pace, BoneGraph& graph, Place place, Ends ends, NewP
     co_return co_await nearest_of_part(pace, graph, middle, on);
 }
 
+// Of a part whose end meets that of its image, the end that is farthest from there.
+uint32_t end_off_image(const BoneGraph& graph, Ends ends, uint32_t end, const MirrorPlane& twin) {
+    if (twin.normal.isZero()) return no_number;
+    const auto away = [&](uint32_t j) {
+        return std::abs(twin.side(graph.joints()[j].at)) - meets_image * graph.joints()[j].radius;
+    };
+    if (away(end) >= 0) return no_number;
+    const uint32_t farthest =
+        *std::max_element(ends.begin(), ends.end(), [&](uint32_t a, uint32_t b) { return away(a) < away(b); });
+    return away(farthest) > 0 ? farthest : no_number;
+}
+
+// Where that end is nearest, if that is near.
+Task<Place> by_end_off_image(Pace& pace, const BoneGraph& graph, Place place, Ends ends, const NewPart& part,
+                             const Candidates& candidates) {
+    const uint32_t end = end_off_image(graph, ends, place.child, part.twin);
+    if (end == no_number) co_return place;
+    const BoneGraph::Joint& joint = graph.joints()[end];
+    Place nearest;
+    co_await each(pace, candidates.count(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Nearby near = candidates.from(joint.at, end, i);
+        if (near.place.distance <= off_image * (near.radius + joint.radius) && near.place.distance < nearest.distance)
+            nearest = near.place;
+    });
+    co_return nearest.child == no_number ? place : nearest;
+}
+
 PartLink connect(BoneGraph& graph, const Place& place) {
     PartLink link;
     if (place.child == no_number) return link;
@@ -362,6 +391,7 @@ Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherPar
         const size_t parts = std::max<size_t>(others.may_meet.size(), part.number);
         place = co_await nearest_by_outline(pace, graph, ends, part, candidates, parts);
     }
+    if (place.child != no_number) place = co_await by_end_off_image(pace, graph, place, ends, part, candidates);
     if (place.child != no_number) place = co_await by_middle(pace, graph, place, ends, part, others);
     if (place.child != no_number) place = co_await towards_trunk(pace, graph, place, others);
     co_return connect(graph, place);

@@ -10,7 +10,8 @@
 // corners and all (wide_part.h); then joints whose balls come near one; then parts that a point of the new one's
 // outline is inside of. Where both ends of a limb are inside, or touch, the one that is thicker by a quarter counts, or
 // else, of two inside, the upper one: an arm over the chest or beside it hangs by its shoulder. A part that lies across
-// the mirror plane of what it hangs on, alike to both sides, hangs by its middle. Limbs hang on the trunk, not on each
+// the mirror plane of what it hangs on, alike to both sides, hangs by its middle. A limb with an image, such as an arm
+// that prays, does not hang by the end that meets the image's, but by the other one, if that is near. Limbs hang on the trunk, not on each
 // other: where the joint is inside of the root end of a part and of the one that this hangs on, it is connected with
 // the latter. Bones from part to part are no part's, and nothing is connected to them. A joint so near to a bone's end
 // that the split would make a bone of no length is connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has
@@ -35,18 +36,19 @@ struct PartLink {
     uint32_t child = no_number;         // the part that hangs there: not always the new one
 };
 
+// Of a part that is its own mirror image, or between a part and its image.
+struct MirrorPlane {
+    Vec3 at = Vec3::Zero(), normal = Vec3::Zero();  // 0: there is none
+
+    double side(const Vec3& point) const { return normal.dot(point - at); }
+};
+
 // A part, whose own joints are these of the graph.
 struct NewPart {
     uint32_t number;
     uint32_t first_joint, end_joint;
     std::span<const Vec3> outline;  // points around it
-};
-
-// Of a part that is its own mirror image.
-struct MirrorPlane {
-    Vec3 at = Vec3::Zero(), normal = Vec3::Zero();  // 0: there is none
-
-    double side(const Vec3& point) const { return normal.dot(point - at); }
+    MirrorPlane twin = {};          // beyond which its image is; none: it has none
 };
 
 // What it may be connected with. By part; all outlive the task.

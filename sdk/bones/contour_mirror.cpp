@@ -172,6 +172,19 @@ Task<std::optional<Contour>> left_half(Pace& pace, const Contour& contour, Mirro
     co_return half;
 }
 
+Task<double> gap_at_axis(Pace& pace, const Contour& half, MirrorAxis axis, double reach) {
+    const uint32_t last = half.size() - 1;
+    double length = 0;
+    co_await each(pace, last, Cost::some_ns,
+                  [&](uint32_t i) { length += distance(half.points[i], half.points[i + 1]); });
+    double way = 0, least = HUGE_VAL;
+    co_await each(pace, last, Cost::some_ns, [&](uint32_t i) {
+        if (way > reach && length - way > reach) least = std::min(least, std::abs(axis.side(half.points[i])));
+        way += distance(half.points[i], half.points[i + 1]);
+    });
+    co_return least;
+}
+
 Task<Contour> with_image(Pace& pace, const Contour& half, MirrorAxis axis, double tolerance) {
     Contour whole(pace.memory());
     const uint32_t count = half.size();

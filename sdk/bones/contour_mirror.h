@@ -40,6 +40,10 @@ Task<std::optional<MirrorAxis>> find_mirror(Pace& pace, const Contour& contour, 
 // What is to the left of the axis, closed along it; nothing where the line crosses the axis more than twice.
 Task<std::optional<Contour>> left_half(Pace& pace, const Contour& contour, MirrorAxis axis);
 
+// How near a left half comes to the axis, but for its first and last `reach`: half as wide as a gap between a shape and
+// its image there.
+Task<double> gap_at_axis(Pace& pace, const Contour& half, MirrorAxis axis, double reach);
+
 // A left half and its image. Where the line crosses the axis about at right angles, to within `tolerance`, no point is.
 Task<Contour> with_image(Pace& pace, const Contour& half, MirrorAxis axis, double tolerance);
 

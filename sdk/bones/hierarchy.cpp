@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <string_view>
-#include <unordered_map>
 
+#include "bones/earlier_joints.h"
 #include "bones/joint_labels.h"
 #include "runtime/each.h"
 #include "skeletons/node_clusters.h"
@@ -15,6 +15,7 @@ namespace {
 
 constexpr double same_joint = 0.05;  // of a part's length: joints of a redrawn part that are farther apart are others
 constexpr double middle_at_joint = 0.75;  // of the radius: a joint so near to the trunk's middle is it
+constexpr double middle_at_tip = 0.25;    // likewise, an end of the trunk
 
 double area_of(const ModelPart& part) {
     return part.part->area * part.scale * part.scale;
@@ -144,7 +145,12 @@ private:
         }
     }
 
-    NewPart new_part(uint32_t p) const { return {p, first_[p], first_[p + 1], outline_}; }
+    NewPart new_part(uint32_t p) const {
+        NewPart part{p, first_[p], first_[p + 1], outline_};
+        if (model_.parts[p].twin != no_number)
+            part.twin = {model_.mirror_offset * model_.mirror_normal, model_.mirror_normal};
+        return part;
+    }
     OtherParts others() const { return {may_meet_, hung_, shapes_, mirrors_}; }
 
     bool add(const PartLink& link) {
@@ -207,8 +213,9 @@ private:
         const Groups edges = co_await group_by(pace_, 2 * edges_.size(), part_count(), [&](uint32_t end) {
             return end % 2 == 0 ? edges_[end / 2].child : edges_[end / 2].parent;
         });
-        co_await find_earlier();
+        earlier_ = co_await EarlierParts::find(pace_, model_);
         model_.own_joints.resize(own_end());
+        model_.own_numbers.resize(own_end());
         Buffer<uint32_t> start(part_count(), pace_.memory());
         std::pmr::vector<bool> is_seen(part_count(), false, pace_.memory());
         std::pmr::vector<uint32_t> queue(pace_.memory());
@@ -270,34 +277,38 @@ private:
     Task<void> number(uint32_t p, uint32_t start) {
         const ModelPart& part = model_.parts[p];
         std::pmr::vector<uint32_t> way(pace_.memory()), order(pace_.memory());
-        std::pmr::vector<bool> is_seen(first_[p + 1] - first_[p], false, pace_.memory());
+        std::pmr::vector<uint32_t> before(first_[p + 1] - first_[p], no_joint_before, pace_.memory());
+        std::pmr::vector<uint32_t> place(before.size(), no_joint_before, pace_.memory());
         way.push_back(start);
         Slice slice(Cost::tens_of_ns);
         while (!way.empty()) {
             const uint32_t joint = way.back();
             way.pop_back();
-            if (is_seen[joint - first_[p]]) continue;
-            is_seen[joint - first_[p]] = true;
+            place[joint - first_[p]] = static_cast<uint32_t>(order.size());
             order.push_back(joint);
             const auto ends = own_ends_.of(joint);
             for (size_t e = ends.size(); e-- > 0;) {
                 const uint32_t next = own_bones_[ends[e] / 2][1 - ends[e] % 2];
-                if (!is_seen[next - first_[p]]) way.push_back(next);
                 if (slice.is_over()) co_await pace_;
+                if (place[next - first_[p]] != no_joint_before) continue;
+                before[next - first_[p]] = place[joint - first_[p]];
+                way.push_back(next);
             }
             if (slice.is_over()) co_await pace_;
         }
         const auto own = std::span(model_.own_joints).subspan(first_[p], order.size());
         model_.own_counts[p] = static_cast<uint32_t>(order.size());
         model_.own_begins[p] = first_[p];
-        co_await each(pace_, order.size(), Cost::tens_of_ns,
-                      [&](uint32_t i) { own[i].at = part.drawn(graph_.joints()[order[i]].at); });
-        co_await number_joints(pace_, {own, earlier_joints(part), same_joint * part.part->length});
+        const auto numbers = std::span(model_.own_numbers).subspan(first_[p], order.size());
+        co_await each(pace_, order.size(), Cost::tens_of_ns, [&](uint32_t i) {
+            own[i] = {part.drawn(graph_.joints()[order[i]].at), before[order[i] - first_[p]]};
+        });
+        co_await number_joints(pace_, own, earlier_.of(part), same_joint * part.part->length, numbers);
         co_await each(pace_, order.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
             graph_.joints()[order[i]].label = add_label();
             JointLabel& label = out_.labels.back();
             char number[16] = "_";
-            *std::to_chars(number + 1, number + sizeof number - 1, own[i].number).ptr = 0;
+            *std::to_chars(number + 1, number + sizeof number - 1, numbers[i]).ptr = 0;
             label.key.append(part.name).append(number).append(part.suffix);
         });
     }
@@ -305,23 +316,6 @@ private:
     uint32_t add_label() {
         out_.labels.emplace_back(pace_.memory());
         return static_cast<uint32_t>(out_.labels.size()) - 1;
-    }
-
-    // Parts of the model before, by name.
-    Task<void> find_earlier() {
-        if (!model_.previous) co_return;
-        earlier_.reserve(model_.previous->parts.size());
-        co_await each(pace_, model_.previous->parts.size(), Cost::hundreds_of_ns, [&](uint32_t p) {
-            const ModelPart& part = model_.previous->parts[p];
-            earlier_.emplace(std::pmr::string(part.name, pace_.memory()).append(part.suffix), p);
-        });
-    }
-    std::span<const OwnJoint> earlier_joints(const ModelPart& part) const {
-        if (!model_.previous) return {};
-        const auto found = earlier_.find(std::pmr::string(part.name, pace_.memory()).append(part.suffix));
-        if (found == earlier_.end()) return {};
-        const HeldModel& model = *model_.previous;
-        return std::span(model.own_joints).subspan(model.own_begins[found->second], model.own_counts[found->second]);
     }
 
     // The joint that a host hung a part on, now that its part's are numbered.
@@ -483,7 +477,9 @@ private:
         // middle is on the spine.
         const uint32_t own = co_await nearest_own(p, at, true);
         const bool is_spine = graph_.is_junction(ends[0]) && graph_.is_junction(ends[1]);
-        const double near = is_spine ? 0 : middle_at_joint * radius;
+        // No tip, as of a large head, swings all the rest.
+        const bool is_tip = own != no_number && own_ends_.of(own).size() == 1;
+        const double near = is_spine ? 0 : (is_tip ? middle_at_tip : middle_at_joint) * radius;
         if (own != no_number && (graph_.joints()[own].at - at).norm() <= std::max(collapse_, near)) co_return own;
         if (share <= 0 || share >= 1) co_return ends[share <= 0 ? 0 : 1];
         const uint32_t joint = graph_.split(bone, at, radius);
@@ -507,7 +503,7 @@ private:
     Buffer<uint8_t> is_placed_;  // by part: it has come
     Buffer<uint8_t> may_meet_;
     std::pmr::vector<PartLink> hung_;
-    std::pmr::unordered_map<std::pmr::string, uint32_t> earlier_{pace_.memory()};
+    EarlierParts earlier_{pace_.memory()};
 };
 
 }  // namespace

@@ -196,6 +196,7 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     pace.stage("connect");
     Hierarchy hierarchy = co_await connect_parts(pace, m, graph, first_joints, thresholds.back().collapse);
     m.previous.reset();
+    m.kept_joints = std::pmr::vector<KeptJoint>(m.kept_joints.get_allocator());
     co_await edit_joints(pace, m, graph, hierarchy);
     pace.stage("refine");
     co_await refine(pace, graph, thresholds);

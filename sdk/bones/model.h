@@ -53,6 +53,13 @@ struct JointEdit {
     double share = 0.5;
 };
 
+// Of a model before this one, as a file kept it.
+struct KeptJoint {
+    std::pmr::string key;
+    Point2 at;        // in the drawing of its part
+    uint32_t parent;  // comes first; no_number: none
+};
+
 class HeldModel final : public Product {
 public:
     explicit HeldModel(Memory* memory)
@@ -60,10 +67,12 @@ public:
           apart(memory),
           root_joint(memory),
           edits(memory),
+          kept_joints(memory),
           tree(memory),
           links(memory),
           part_joints(memory),
           own_joints(memory),
+          own_numbers(memory),
           own_begins(memory),
           own_counts(memory),
           columns_(memory) {}
@@ -79,6 +88,7 @@ public:
     std::pmr::string root_joint;                      // its key; none: the middle
     std::pmr::vector<JointEdit> edits;
     std::shared_ptr<const HeldModel> previous;  // until the job is done
+    std::pmr::vector<KeptJoint> kept_joints;    // in its place, likewise
 
     double size = 0;  // the length of the longest ring 0, as placed
     BoneTree tree;
@@ -86,7 +96,8 @@ public:
     std::pmr::vector<uint32_t> part_joints;  // by part, the joint of the tree that stands for it
 
     // What a model made after this one knows joints by.
-    std::pmr::vector<OwnJoint> own_joints;
+    std::pmr::vector<DrawnJoint> own_joints;
+    std::pmr::vector<uint32_t> own_numbers;
     std::pmr::vector<uint32_t> own_begins, own_counts;  // by part
 
     // What hosts are shown, once the rest is there: joint by joint, then part by part.

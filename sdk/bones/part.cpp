@@ -5,6 +5,7 @@
 
 #include "bones/axis.h"
 #include "bones/axis_stubs.h"
+#include "bones/blunt_valleys.h"
 #include "bones/contour_sampling.h"
 #include "bones/mirrored_axis.h"
 #include "runtime/each.h"
@@ -17,6 +18,12 @@ namespace {
 
 constexpr double longest = 3;                // lengths of parts, by the diagonal of their boxes
 constexpr double mirror_tolerance = 0.0015;  // of the length: how far a line may be from its mirror image
+
+// A gap along the mirror axis, as between two legs, begins so many tolerances from where the line crosses the axis; a
+// half stays so much of it on its side.
+constexpr double gap_begins = 4, of_gap = 0.3;
+
+constexpr double valley_edge = 0.0005;  // of the length
 
 // Hosts see all of it as plain numbers.
 static_assert(sizeof(Point2) == 2 * sizeof(double) && sizeof(AxisNode) == 3 * sizeof(double));
@@ -97,6 +104,8 @@ Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
     std::optional<Contour> half, even_half;
     p.mirror = co_await find_mirror(pace, p.drawn, mirror_tolerance * p.length);
     if (p.mirror) half = co_await left_half(pace, p.drawn, *p.mirror);
+    double gap = HUGE_VAL;
+    if (half) gap = co_await gap_at_axis(pace, *half, *p.mirror, gap_begins * p.tolerance * p.length);
     if (half && p.spacing > 0) even_half = co_await even_contour(pace, *half, p.spacing * p.length);
     StraightSkeleton skeleton(pace.memory());
     bool is_found = false;
@@ -105,11 +114,14 @@ Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
         const bool is_even = attempt.is_even && p.spacing > 0;
         const double tolerance = attempt.tolerance * p.tolerance * p.length;
         if (half) {
-            const Contour simple = co_await simplified_contour(pace, is_even ? *even_half : *half, tolerance);
-            p.outline = co_await with_image(pace, simple, *p.mirror, tolerance);
+            const double within = std::min(tolerance, of_gap * gap);
+            const Contour simple = co_await simplified_contour(pace, is_even ? *even_half : *half, within);
+            p.outline = co_await with_image(pace, simple, *p.mirror, within);
         }
-        if (!half || p.outline.size() < 3)
-            p.outline = co_await simplified_contour(pace, is_even ? p.even : p.drawn, tolerance);
+        const bool is_mirrored = half && p.outline.size() >= 3;
+        if (!is_mirrored) p.outline = co_await simplified_contour(pace, is_even ? p.even : p.drawn, tolerance);
+        p.outline = co_await with_blunt_valleys(pace, std::move(p.outline), is_mirrored ? p.mirror : std::nullopt,
+                                                valley_edge * p.length);
         pace.stage("straight_skeleton");
         skeleton = StraightSkeleton(pace.memory());
         is_found = co_await make_skeleton(pace, p.outline, skeleton, &attempt == std::end(attempts) - 1);

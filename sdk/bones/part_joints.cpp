@@ -14,6 +14,7 @@ namespace {
 constexpr double window = 0.3;                          // of a piece: so far a joint may be from the even place
 constexpr double evenness = 0.2;                        // of the radius: what an elbow is deeper by than the even place
 constexpr double same_length = 1.25, same_width = 1.5;  // of equal limbs
+constexpr double same_turn = 2;                         // likewise, in radians: by how much less one may bend
 constexpr uint32_t most_pieces = 8;
 constexpr double bends = 1;       // a limb's last bone that is as long for its width has a knee
 constexpr double bends_late = 2;  // the same of a part of one bone, and beyond a shoulder
@@ -146,8 +147,19 @@ Task<void> divide_long(Pace& pace, const Contour& outline, Samples samples, Free
 struct Limb {
     uint32_t part, branch, number;  // number: of the list of joints
     double length, width;           // in the model's space
+    double turn;                    // from bone to bone, all together
     uint32_t target;                // joints
 };
+
+double turn_of(Samples samples, std::span<const uint32_t> joints) {
+    double sum = 0;
+    for (size_t i = 1; i + 1 < joints.size(); ++i) {
+        const Point2 &a = samples[joints[i - 1]].at, &b = samples[joints[i]].at, &c = samples[joints[i + 1]].at;
+        const Point2 in{b.x - a.x, b.y - a.y}, out{c.x - b.x, c.y - b.y};
+        sum += std::abs(std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y));
+    }
+    return sum;
+}
 
 class Chooser {
 public:
@@ -232,7 +244,7 @@ private:
         const Piece middle{whole.to / 4, whole.to - whole.to / 4};
         if (detail > 0 && !is_own && (free.first || free.last) && joints.size() <= most_pieces)
             limbs_.push_back({p, b, number, length_of(samples, whole) * placed.scale,
-                              co_await mean_radius(pace_, samples, middle) * placed.scale,
+                              co_await mean_radius(pace_, samples, middle) * placed.scale, turn_of(samples, joints),
                               static_cast<uint32_t>(joints.size())});
         out_.samples.push_back(std::move(joints));
     }
@@ -248,6 +260,7 @@ private:
                 Limb &a = limbs_[i], &b = limbs_[k];
                 if (slice.is_over()) co_await pace_;
                 if (std::max(a.width, b.width) > same_width * std::min(a.width, b.width)) continue;
+                if (std::abs(a.turn - b.turn) > same_turn) continue;
                 a.target = b.target = std::max(a.target, b.target);
             }
         }

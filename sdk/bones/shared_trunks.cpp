@@ -11,7 +11,7 @@
 namespace flg {
 namespace {
 
-constexpr uint32_t most_branches = 8;     // at a junction: a hub of more is none of a trunk
+constexpr uint32_t most_branches = 5;     // at a junction: a palm, a hub of more, is none of a trunk
 constexpr double parallel = 0.766;        // cosine of the angle between limbs beyond
 constexpr double step_length = 1.0 / 16;  // of the trunk's width at the junction
 constexpr int halvings = 40;              // of the last step

@@ -20,6 +20,7 @@ constexpr double flat = 0.05;          // nothing is farther from the middle: se
 constexpr double beside = 0.01;        // of what lies to a side
 constexpr double foot_size = 0.1;      // toes branch apart not farther from their ends
 constexpr double mirror_error = 0.15;  // between a tip and the mirror image of another
+constexpr double alike_error = 0.07;   // the same, where four legs look alike to both ends
 constexpr double shortest_arm = 0.15, nearest_arm = 0.1, shortest_head = 0.06, shortest_tail = 0.12;
 constexpr double arm_width = 0.08;     // an arm's distance from the middle, where it is farthest
 constexpr double straight_on = 0.02;   // to the side, from joint to joint of a head
@@ -57,6 +58,8 @@ public:
 
     RigFrame find(const Vec3& up, const Vec3& left) {
         link();
+        frame_.up = up;
+        find_ground();
         set_frame(up, left);
         for (uint32_t j = 0; j < count_; ++j) {
             joints_[j] = {};
@@ -115,7 +118,6 @@ private:
     bool is_ours(uint32_t j) const { return root_of_[j] == root_; }
 
     void set_frame(const Vec3& up, const Vec3& left) {
-        frame_.up = up;
         const Vec3 level = left - left.dot(up) * up;
         left_is_known_ = level.norm() > 0;
         if (left_is_known_) {
@@ -123,21 +125,43 @@ private:
         } else {
             const Vec3 x = Vec3::UnitX() - up.x() * up;
             set_left((x.norm() > 0.5 ? x : Vec3(Vec3::UnitY() - up.y() * up)).normalized());
-            uint32_t mirrored = 0;
-            for (const uint32_t tip : tips_)
-                mirrored += std::any_of(tips_.begin(), tips_.end(), [&](uint32_t t) { return are_mirrored(tip, t); });
-            if (mirrored < symmetric * static_cast<double>(tips_.size())) set_left(-frame_.left.cross(up));
+            if (!looks_ahead()) set_left(-frame_.left.cross(up));
         }
-        double widest = 0, low = INFINITY, high = -double{INFINITY};
+        double widest = 0;
+        for (uint32_t j = 0; j < count_; ++j)
+            if (is_ours(j)) widest = std::max(widest, std::abs(lateral_[j]));
+        is_flat_ = widest <= flat * size_;
+    }
+
+    void find_ground() {
+        double low = INFINITY, high = -double{INFINITY};
         for (uint32_t j = 0; j < count_; ++j) {
             if (!is_ours(j)) continue;
-            widest = std::max(widest, std::abs(lateral_[j]));
-            low = std::min(low, height_[j] - skeleton_.radii[j]);
-            high = std::max(high, height_[j] + skeleton_.radii[j]);
+            low = std::min(low, frame_.up.dot(skeleton_.at[j]) - skeleton_.radii[j]);
+            high = std::max(high, frame_.up.dot(skeleton_.at[j]) + skeleton_.radii[j]);
         }
-        is_flat_ = widest <= flat * size_;
         frame_.ground = low;
         tallness_ = high - low;
+    }
+
+    // Whether the middle, as it is assumed, is one: most tips have an image. From the side four legs look alike to both
+    // ends; so there more than half of the other tips must have an image as well, with where they branch off.
+    bool looks_ahead() const {
+        uint32_t mirrored = 0, low = 0, high_alike = 0;
+        for (const uint32_t tip : tips_) {
+            bool is_mirrored = false, is_alike = false;
+            for (const uint32_t other : tips_) {
+                if (!are_mirrored(tip, other)) continue;
+                is_mirrored = true;
+                is_alike = is_alike || are_alike(tip, other);
+            }
+            mirrored += is_mirrored;
+            const bool is_low = height_[tip] <= frame_.ground + low_height * tallness_;
+            low += is_low;
+            high_alike += !is_low && is_alike;
+        }
+        const auto tips = static_cast<uint32_t>(tips_.size());
+        return mirrored >= symmetric * tips && (low < 4 || low == tips || 2 * high_alike > tips - low);
     }
 
     void set_left(const Vec3& left) {
@@ -153,6 +177,10 @@ private:
 
     double mirror_distance(uint32_t a, uint32_t b) const {
         return std::hypot(lateral_[a] + lateral_[b], along_[a] - along_[b], height_[a] - height_[b]);
+    }
+    // Tips and where they branch off.
+    bool are_alike(uint32_t a, uint32_t b) const {
+        return std::max(mirror_distance(a, b), mirror_distance(end_of(a).base, end_of(b).base)) <= alike_error * size_;
     }
     bool are_mirrored(uint32_t a, uint32_t b) const { return mirror_distance(a, b) <= mirror_error * size_; }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "api/drawings.h"
 #include "api/part_inputs.h"
@@ -43,11 +44,12 @@ struct Skeleton {
         return out;
     }
     // How far joints are from being their mirror images in a coordinate, by the size.
-    double asymmetry(size_t coordinate) const {
+    double asymmetry(size_t coordinate) const { return asymmetry_at(coordinate, 0); }
+    double asymmetry_at(size_t coordinate, double middle) const {
         double worst = 0;
         for (const Joint& joint : joints) {
             auto image = joint.at;
-            image[coordinate] = -image[coordinate];
+            image[coordinate] = 2 * middle - image[coordinate];
             double nearest = 1e300;
             for (const Joint& other : joints)
                 nearest = std::min(nearest,
@@ -300,6 +302,65 @@ TEST_F(Hierarchy, FingersAndWristHangOnThePalm) {
     EXPECT_EQ(limbs.size(), 6u) << "five fingers and the wrist";
 }
 
+// Valleys as sharp as a pen draws them: fingers part at the palm, and not at the wrist.
+TEST_F(Hierarchy, FingersWithSharpValleysHangOnThePalm) {
+    const Skeleton skeleton = made_of_corners(sharp_hand());
+    const Joint* palm = nullptr;
+    for (const Joint& joint : skeleton.joints) {
+        size_t limbs = joint.parent.empty() ? 0 : 1;
+        for (const Joint& other : skeleton.joints) limbs += other.parent == joint.name;
+        if (limbs >= 5) palm = &joint;
+    }
+    ASSERT_NE(palm, nullptr) << skeleton.joints.size();
+    EXPECT_GT(palm->at[1], 0);
+    EXPECT_LT(palm->at[1], 2);
+    EXPECT_GE(skeleton.joints.size(), 18u);  // three a finger
+    EXPECT_LE(skeleton.joints.size(), 28u);
+}
+
+// A cut that is as narrow as a line still parts two limbs, on the axis of the drawing or off it.
+TEST_F(Hierarchy, NarrowGapsPartLimbs) {
+    for (const double gap : {0.04, 0.1, 0.3})
+        for (const double off : {0.0, 0.3}) {
+            const double left = 2 - gap / 2, right = 2 + gap / 2;
+            const Skeleton skeleton =
+                made_of_corners({{0, 0}, {4 + off, 0}, {4, 8}, {right, 8}, {right, 2}, {left, 2}, {left, 8}, {0, 8}});
+            size_t high[2] = {0, 0};
+            for (const Joint& joint : skeleton.joints) {
+                if (joint.at[1] > 2.5) {
+                    EXPECT_GT(std::abs(joint.at[0] - 2), 0.5) << joint.name << " " << gap;
+                }
+                if (joint.at[1] > 5) ++high[joint.at[0] > 2];
+            }
+            EXPECT_GE(high[0], 1u) << gap << " " << off;
+            EXPECT_GE(high[1], 1u) << gap << " " << off;
+            if (off == 0) {
+                EXPECT_LE(skeleton.asymmetry_at(0, 2), 1e-6) << gap;
+            }
+        }
+}
+
+// Hands that meet before the chest: both arms hang by their shoulders.
+TEST_F(Hierarchy, ArmsThatPrayHangByTheirShoulders) {
+    for (const double z : {0.0, 0.7}) {
+        std::vector<FlgModelPart> parts = {
+            part("torso", smooth({{-0.8, -0.8}, {0.8, -0.8}, {0.75, 1.2}, {0.95, 2.8}, {-0.95, 2.8}, {-0.75, 1.2}})),
+            part("arm", smooth({{0.7, 2.85}, {1.05, 2.85}, {1.45, 1.3}, {1.2, 1.0}, {0, 2.05}, {0, 2.35}, {1.05, 1.6}}),
+                 0, 0, z)};
+        parts[1].mirrored = 1;
+        const Skeleton skeleton = made(parts);
+        for (const Joint& joint : skeleton.joints) {
+            if (joint.part == 0) continue;
+            const Joint* parent = nullptr;
+            for (const Joint& other : skeleton.joints)
+                if (other.name == joint.parent) parent = &other;
+            if (!parent || parent->part != 0) continue;
+            EXPECT_GT(std::abs(joint.at[0]), 0.5) << joint.name << " hangs on " << joint.parent << " " << z;
+            EXPECT_GT(joint.at[1], 2.3);
+        }
+    }
+}
+
 TEST_F(Hierarchy, EqualLimbsGetEqualNumbersOfJoints) {
     const Skeleton skeleton = made(starfish());
     std::map<std::string, int> below;
@@ -480,6 +541,76 @@ TEST_F(Hierarchy, ARedrawnPartKeepsItsJointsByPlace) {
         EXPECT_LE(std::hypot(joint.at[0] - was->at[0], joint.at[1] - was->at[1]), 0.06 * first.size) << joint.key;
     }
     EXPECT_GE(same + 1, first.joints.size());
+}
+
+// What a file kept of a model does for keys what the model itself does.
+TEST_F(Hierarchy, KeysLastThroughAFile) {
+    const auto drawn = [&](double turn) {
+        std::vector<double> arm = smooth({{-0.3, 0}, {0, 0.3}, {2.2, 0.25}, {4.3, 0.1}, {4.3, -0.1}, {2.2, -0.25}});
+        for (size_t i = 0; i < arm.size(); i += 2)
+            std::tie(arm[i], arm[i + 1]) = std::pair(std::cos(turn) * arm[i] - std::sin(turn) * arm[i + 1],
+                                                     std::sin(turn) * arm[i] + std::cos(turn) * arm[i + 1]);
+        return std::vector{part("trunk", smooth({{-1, -2}, {1, -2}, {1.2, 2}, {-1.2, 2}})), part("arm", arm, 0.9, 1)};
+    };
+    const std::vector<FlgModelPart> first = drawn(0), turned = drawn(0.5);
+    FlgModel before{};
+    const Skeleton plain = made(desc_of(first), &before);
+    FlgModelView kept = flgModelViewDefaults();
+    ASSERT_EQ(flgModelGetView(host.context, before, &kept), FLG_OK);
+    FlgModelDesc desc = desc_of(turned);
+    desc.previous = before;
+    const Skeleton by_model = made(desc);
+    desc.previous = {};
+    desc.previous_view = &kept;
+    const Skeleton by_file = made(desc);
+    ASSERT_EQ(by_file.joints.size(), by_model.joints.size());
+    for (size_t j = 0; j < by_file.joints.size(); ++j) {
+        EXPECT_EQ(by_file.joints[j].key, by_model.joints[j].key);
+        const std::string& key = by_file.joints[j].key;
+        EXPECT_TRUE(!key.starts_with("arm_") || plain.find(key)) << key;
+    }
+    // The hand has gone up by half of the arm's length and is still the hand.
+    std::string hand;
+    double farthest = 0;
+    for (const Joint& joint : plain.joints)
+        if (joint.at[0] > farthest) farthest = joint.at[0], hand = joint.key;
+    ASSERT_NE(by_file.find(hand), nullptr) << hand;
+    EXPECT_NEAR(by_file.find(hand)->at[1] - plain.find(hand)->at[1], std::sin(0.5) * (farthest - 0.9), 0.2);
+}
+
+TEST_F(Hierarchy, RefusesKeptJointsThatCantBe) {
+    const std::vector<FlgModelPart> parts = {part("trunk", smooth({{-1, -2}, {1, -2}, {1.2, 2}, {-1.2, 2}}))};
+    FlgModel before{};
+    made(desc_of(parts), &before);
+    FlgModelDesc desc = desc_of(parts);
+    const char* keys[] = {"trunk_0", "trunk_1"};
+    double places[] = {0, 0, 0, 0, 1, 0};
+    uint32_t parents[] = {FLG_NO_INDEX, 0};
+    FlgModelView kept = flgModelViewDefaults();
+    desc.previous_view = &kept;
+    kept.joint_count = 2;
+    kept.joint_keys = keys;
+    kept.joint_places = places;
+    EXPECT_NE(refused(desc).find("desc.previous_view.joint_parents is null"), std::string::npos)
+        << flgErrorGetMessage();
+    kept.joint_parents = parents;
+    parents[1] = 1;
+    EXPECT_NE(refused(desc).find("desc.previous_view.joint_parents[1] is 1"), std::string::npos)
+        << flgErrorGetMessage();
+    parents[1] = 0;
+    places[4] = NAN;
+    EXPECT_NE(refused(desc).find("desc.previous_view.joint_places[1]"), std::string::npos) << flgErrorGetMessage();
+    places[4] = 1;
+    keys[0] = "";
+    EXPECT_NE(refused(desc).find("desc.previous_view.joint_keys[0]"), std::string::npos) << flgErrorGetMessage();
+    keys[0] = nullptr;
+    EXPECT_NE(refused(desc).find("desc.previous_view.joint_keys[0]"), std::string::npos) << flgErrorGetMessage();
+    keys[0] = "trunk_4000000000";
+    EXPECT_GT(made(desc).joints.size(), 0u);
+    keys[0] = "trunk_0";
+    desc.previous = before;
+    EXPECT_NE(refused(desc).find("desc.previous and desc.previous_view are both set"), std::string::npos)
+        << flgErrorGetMessage();
 }
 
 TEST_F(Hierarchy, WhatIsSetAboutJointsStaysSet) {

@@ -67,6 +67,20 @@ FlgModel make_model(Calls& calls) {
     desc.apart_pair_count = 1;
     FLG_CALL(calls, flgModelCreate, calls.context, &desc, calls.out(model), calls.job());
     FLG_CALL(calls, flgModelRelease, calls.context, desc.previous);
+    // Once more, with what a file kept.
+    const char* const keys[] = {"body_0", "part1_0.L", "body_at_part1"};
+    const double places[] = {0, 0, 0, 1.6, 0.8, 0, 0, 1, 0};
+    const uint32_t parents[] = {FLG_NO_INDEX, 0, 1};
+    FlgModelView kept = FLG_INIT(calls, flgModelViewInit);
+    kept.joint_count = 3;
+    kept.joint_keys = keys;
+    kept.joint_places = places;
+    kept.joint_parents = parents;
+    desc.previous = {};
+    desc.previous_view = &kept;
+    const FlgModel before = model;
+    FLG_CALL(calls, flgModelCreate, calls.context, &desc, calls.out(model), calls.job());
+    FLG_CALL(calls, flgModelRelease, calls.context, before);
     FLG_CALL(calls, flgPartRelease, calls.context, parts[0].part);
     return model;
 }

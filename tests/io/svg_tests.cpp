@@ -127,7 +127,37 @@ TEST(Svg, PassesOverWhatIsNotDrawn) {
         "<path d=\"M0 0 2 2\" fill = 'red'></path></svg:svg>"));
     ASSERT_EQ(curves.result, FLG_OK) << curves.error;
     EXPECT_EQ(curves.positions(), (Floats{0, 0, 0, 2, -2, 0}));
-    EXPECT_EQ(curves.warnings, "1 element: use, text and image are not read (first: element 4)\n");
+    EXPECT_EQ(curves.warnings,
+              "1 element: what it uses is not in the file, or has a view of its own (first: element 4)\n");
+}
+
+// What is kept in defs is drawn where it is used, moved and turned, as often as it is.
+TEST(Svg, DrawsWhatElementsUse) {
+    const Folder folder;
+    const Read curves = read_svg(folder,
+                                 "<defs><path id='leg' d='M0 0 1 2'/><g id='pair'><use xlink:href='#leg'/>"
+                                 "<use href='#leg' x='5' transform='scale(2)'/></g></defs>"
+                                 "<use href='#pair' y='10'/><use href='#leg'/>"
+                                 "<symbol id='eye'><path d='M0 0 3 0'/></symbol><use href='#eye' x='1' y='1'/>");
+    ASSERT_EQ(curves.result, FLG_OK) << curves.error;
+    EXPECT_EQ(curves.positions(), (Floats{0, -10, 0, 1, -12, 0, 10, -10, 0, 12, -14, 0,  //
+                                          0, 0,   0, 1, -2,  0, 1,  -1,  0, 4,  -1,  0}));
+    EXPECT_EQ(curves.warnings, "");
+    const Read viewed = read_svg(folder,
+                                 "<symbol id='eye' viewBox='0 0 9 9'><path d='M0 0 3 0'/></symbol>"
+                                 "<use href='#eye'/><path d='M0 0 1 0'/>");
+    EXPECT_EQ(viewed.warnings,
+              "1 element: what it uses is not in the file, or has a view of its own (first: element 3)\n");
+    expect_refused(folder.put("a.svg", "<svg>\n<g id='a'><use href='#a'/></g></svg>"), FLG_ERROR_LIMIT, "2",
+                   "use each other more than 16 deep");
+    // Ten uses in ten uses in ten.
+    std::string laughs = "<svg>\n<g id='a0'><g/></g>";
+    for (int i = 1; i < 9; ++i) {
+        laughs += "<g id='a" + std::to_string(i) + "'>";
+        for (int k = 0; k < 10; ++k) laughs += "<use href='#a" + std::to_string(i - 1) + "'/>";
+        laughs += "</g>";
+    }
+    expect_refused(folder.put("b.svg", laughs + "</svg>"), FLG_ERROR_LIMIT, "2", "more than 2^20 elements");
 }
 
 TEST(Svg, PassesOverWhatIsHidden) {

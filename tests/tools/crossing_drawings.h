@@ -102,6 +102,12 @@ inline std::vector<NamedDrawing> silhouettes() {
         const double s = i / 32.0;
         snake.push_back({8 * s, 1.5 * std::sin(3 * M_PI * s), 0.4 - 0.2 * s});
     }
+    // Fingers that part in points.
+    const Outline hand = {{0, -2.88},    {0.54, -2.65}, {0.8, -0.76},  {1.09, -0.15}, {1.1, 1.07},   {1.25, 1.31},
+                          {1.71, 3.2},   {1.54, 3.44},  {1.25, 3.36},  {0.7, 1.85},   {0.77, 3.78},  {0.5, 3.98},
+                          {0.25, 3.81},  {0.03, 2.1},   {-0.18, 3.84}, {-0.44, 4.03}, {-0.69, 3.84}, {-0.67, 1.99},
+                          {-1.16, 3.55}, {-1.43, 3.66}, {-1.63, 3.46}, {-1.2, 1.31},  {-1.11, 0.51}, {-1.66, 0.84},
+                          {-2.18, 1.45}, {-2.44, 1.44}, {-2.58, 1.19}, {-2.14, 0.38}, {-0.8, -0.76}, {-0.67, -2.4}};
     const Outline hook = limb({{0, 0, 0.8}, {4, 0, 0.8}, {5.2, 0.9, 0.5}, {4, 1.7, 0.3}, {0, 1.4, 0.15}});
     std::vector<NamedDrawing> all;
     const auto add = [&](const std::string& name, const Outline& contour) {
@@ -113,6 +119,7 @@ inline std::vector<NamedDrawing> silhouettes() {
     add("starfish", star);
     add("snake", limb(snake));
     add("hook", hook);
+    add("hand", hand);
     return all;
 }
 

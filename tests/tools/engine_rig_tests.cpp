@@ -232,5 +232,51 @@ TEST_F(RigCommand, WhatIsNoHumanoidIsRefused) {
     expect_refused({"skeleton", "bar.poly.txt", "-o", "a.glb", "--rig", "blender"}, 2, {"--rig"});
 }
 
+// Drawn from the side, in one plane, nearly alike to both ends: head and tail tell them apart.
+TEST_F(RigCommand, AnimalsFromTheSideHaveFourLegsAHeadAndATail) {
+    const auto limb = [](const char* name, const std::vector<std::array<double, 3>>& way) {
+        nlohmann::json contour = nlohmann::json::array();
+        for (const auto& [x, y, r] : way) contour.push_back({x - r, y});
+        for (size_t i = way.size(); i-- > 0;) contour.push_back({way[i][0] + way[i][2], way[i][1]});
+        return nlohmann::json{{"name", name}, {"contour", contour}, {"thickness", 0.8}};
+    };
+    for (const double ahead : {1.0, -1.0}) {
+        nlohmann::json parts = nlohmann::json::array();
+        parts.push_back(
+            {{"name", "body"}, {"curve", {{-2.2, 0}, {-1.5, 0.8}, {1.5, 0.9}, {2.3, 0.2}, {1.5, -0.7}, {-1.5, -0.7}}}});
+        parts.push_back({{"name", "neck"}, {"contour", {{1.3, 0.2}, {2.1, 0}, {2.7, 1.5}, {2.0, 1.8}}}});
+        parts.push_back({{"name", "head"}, {"contour", {{1.9, 1.7}, {2.5, 2.1}, {3.8, 1.4}, {3.7, 1.0}, {2.4, 1.1}}}});
+        parts.push_back(
+            {{"name", "tail"}, {"contour", {{-2.1, 0.3}, {-1.8, 0}, {-2.7, 1.4}, {-3.0, 2.2}, {-3.1, 1.4}}}});
+        parts.push_back(limb("front", {{1.7, -0.2, 0.3}, {1.7, -1.5, 0.2}, {1.8, -2.8, 0.16}}));
+        parts.push_back(limb("other", {{1.1, -0.2, 0.3}, {1.0, -1.5, 0.2}, {1.1, -2.75, 0.16}}));
+        parts.push_back(limb("hind", {{-1.7, -0.2, 0.35}, {-1.9, -1.5, 0.22}, {-1.7, -2.8, 0.16}}));
+        parts.push_back(limb("last", {{-1.1, -0.2, 0.35}, {-1.2, -1.5, 0.22}, {-1.0, -2.75, 0.16}}));
+        for (auto& part : parts)
+            for (auto& point : part[part.contains("curve") ? "curve" : "contour"])
+                point[0] = ahead * point[0].get<double>();
+        folder.write("dog.json", nlohmann::json{{"parts", parts}}.dump());
+        done({"skeleton", "dog.json", "--bones", "dog-bones.json"});
+        const nlohmann::json bones = nlohmann::json::parse(folder.read("dog-bones.json"));
+        for (const auto& joint : bones.at("joints")) {
+            const std::string name = joint.at("name"),
+                              part = bones.at("parts")[joint.at("part").get<size_t>()].at("name");
+            const std::string found = joint.at("limb");
+            if (part == "tail") {
+                EXPECT_EQ(found, "tail") << name << " " << ahead;
+            }
+            if (part == "head" || part == "neck") {
+                EXPECT_TRUE(found == "head" || found == "neck") << name << " " << found;
+            }
+            if (part == "front" || part == "other" || part == "hind" || part == "last") {
+                EXPECT_EQ(found, "leg") << name;
+            }
+            if (part == "body") {
+                EXPECT_EQ(found, "trunk") << name;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace flg::test

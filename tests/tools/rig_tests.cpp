@@ -54,6 +54,21 @@ TEST_F(Rigs, SamplesStretchLittle) {
     }
 }
 
+// A tail drawn so near to its body that no triangle fits between them.
+TEST_F(Rigs, WhatTearsIsSaid) {
+    const auto warned = [&](double gap) {
+        const Outline notch = {{0, 0},        {10, 0}, {10, 4},  {1, 4},  {1, 4 + gap},
+                               {12, 4 + gap}, {12, 5}, {0.5, 5}, {0, 4.5}};
+        const Json rig = quality({"notch", Drawing().add("notch", notch)});
+        const std::string warnings = report().at("warnings").dump();
+        const bool is_said = warnings.find("turns by 30 degrees the surface stretches") != std::string::npos;
+        EXPECT_EQ(is_said, rig.at("largest_stretch").get<double>() > 3) << rig;
+        return is_said;
+    };
+    EXPECT_TRUE(warned(0.02));
+    EXPECT_FALSE(warned(0.1));
+}
+
 struct SkinSurface {
     std::vector<float> positions;
     std::vector<uint32_t> triangles, parts;  // parts: by vertex

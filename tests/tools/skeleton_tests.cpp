@@ -126,7 +126,7 @@ TEST_F(SkeletonCommand, OutlinesOfAnSvgArePartsWithHoles) {
     EXPECT_EQ(json.at("parts")[2].at("name"), "animal-3");
     EXPECT_EQ(json.at("parts")[2].at("parent"), 0);
     EXPECT_EQ(report().at("warnings"),
-              Json::array({"animal.svg: 1 element: use, text and image are not read (first: element 7)",
+              Json::array({"animal.svg: 1 element: text and image are not read (first: element 7)",
                            "animal.svg: 1 outline is a line and left out",
                            "animal.svg: 1 outline is smaller than 1/100 of the drawing and left out"}));
     // Bones pass by the hole.
@@ -262,7 +262,7 @@ TEST_F(SkeletonCommand, EditsStayWithTheirJointsFromRunToRun) {
         size_t gone = 0;
         const Json warnings = report().at("warnings");
         for (const Json& warning : warnings)
-            gone += warning.get<std::string>().find("is gone, and what was set about it") != std::string::npos;
+            gone += warning.get<std::string>().find("waits") != std::string::npos;
         EXPECT_EQ(now.size() + gone, first.size());
     }
 }

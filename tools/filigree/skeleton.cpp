@@ -2,6 +2,7 @@
 // filigree skeleton: from contours to bones.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <deque>
 
@@ -13,7 +14,6 @@
 #include "documents/rig_quality.h"
 #include "documents/text_file.h"
 #include "filigree/filigree_io.h"
-#include "lasting_names.h"
 #include "mesh_model.h"
 #include "mesh_outline_part.h"
 #include "pulled_skin.h"
@@ -143,6 +143,8 @@ Json bones_json(const FlgModelView& view, const ModelDrawing& drawing, const Flg
 
 constexpr double kOffCount = 0.02;  // of the vertices asked for: what is said when it is more
 
+constexpr double kStretched = 3;  // what is said when a surface stretches more
+
 // `wanted`: 0 if nobody asked for a number.
 FlgSkinView view_of(Session& session, FlgSkin skin, uint32_t wanted, const Options& options, Report& report) {
     FlgSkinView view = flgSkinViewDefaults();
@@ -230,8 +232,16 @@ void write_skin(const Options& options, const std::string& subject, const ModelD
     report.counts["vertices"] = view.vertex_count;
     report.counts["triangles"] = view.triangle_count;
     for (const FlgSkinView& level : made.levels) report.counts["level_vertices"].push_back(level.vertex_count);
+    const RigQuality rig = measure_rig(view);
+    if (options.mesh.empty() && rig.largest_stretch > kStretched) {
+        char stretch[32];
+        std::snprintf(stretch, sizeof stretch, "%.1f", rig.largest_stretch);
+        report.warn(subject + ": where " + view.joint_names[rig.stretch_joint] +
+                    " turns by 30 degrees the surface stretches " + stretch +
+                    " times: limbs that lie nearer to each other than a triangle are one; --vertices asks for smaller "
+                    "ones, --apart keeps parts from each other");
+    }
     if (is_reported) {
-        const RigQuality rig = measure_rig(view);
         report.quality["largest_stretch"] = rig.largest_stretch;
         report.quality["stretched_by"] = view.joint_names[rig.stretch_joint];
         report.quality["largest_weight_jump"] = rig.largest_jump;
@@ -301,7 +311,10 @@ void warn_of_vain_edits(const ModelDrawing& drawing, const FlgModelView& view, c
         if (edit.kind == FLG_JOINT_EDIT_KIND_MERGE || edit.kind == FLG_JOINT_EDIT_KIND_SPLIT) continue;
         const bool is_there = std::any_of(view.joint_keys, view.joint_keys + view.joint_count,
                                           [&](const char* key) { return edit.joint == key; });
-        if (!is_there) report.warn(subject + ": joints: the model has no joint " + edit.joint + "; its edit waits");
+        if (is_there) continue;
+        const bool was_there = drawing.previous && drawing.previous->has(edit.joint);
+        report.warn(was_there ? subject + ": the joint " + edit.joint + " is gone, and what was set about it waits"
+                              : subject + ": joints: the model has no joint " + edit.joint + "; its edit waits");
     }
 }
 
@@ -433,28 +446,18 @@ void run_skeleton(Options options, const CommonOptions& common) {
         if (options.picture.box.empty() && ends_with_one_of(subject, {".svg", ".SVG"}))
             options.picture.box = page_of_svg(subject);
         if (!options.picture.file.empty()) place_picture(options.picture, drawing);
-        if (!options.previous.empty() && !drawing.joint_edits.empty()) {
-            ModelDrawing untouched = drawing;
-            untouched.joint_edits.clear();
-            FlgModelView view = flgModelViewDefaults();
-            make_model(options, session, untouched, view, report);
-            for (const std::string& key : follow_joints(options.previous, view, drawing))
-                report.warn(subject + ": the joint " + key + " is gone, and what was set about it");
+        if (!options.previous.empty()) {
+            const nlohmann::json bones = JsonPlace::read(options.previous);
+            drawing.previous =
+                std::make_shared<KeptJoints>(JsonPlace(bones, options.previous + ": bones").at("joints"));
         }
         FlgModelView view = flgModelViewDefaults();
         const FlgModel model = make_model(options, session, drawing, view, report);
         warn_of_vain_edits(drawing, view, subject, report);
-        std::optional<LastingNames> names;
-        if (!options.previous.empty()) {
-            names.emplace(options.previous, view, drawing);
-            view.joint_names = names->pointers();
-            view.joint_keys = names->keys();
-        }
         write_bones(options, subject, drawing, view, report);
         if (has_skin) {
-            Made made = make_drawn_skin(options, session, model, looks_of(options.picture, drawing, view), report);
-            made.skin.joint_names = view.joint_names;
-            for (FlgSkinView& level : made.levels) level.joint_names = view.joint_names;
+            const Made made =
+                make_drawn_skin(options, session, model, looks_of(options.picture, drawing, view), report);
             write_skin(options, subject, drawing, view, made, is_reported, session, report);
         }
     }

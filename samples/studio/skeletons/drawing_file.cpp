@@ -202,7 +202,7 @@ Pulls pulls_of(const nlohmann::json& json) {
 
 // What reading a document or a drawing may throw.
 template <class Read>
-Drawing with_sentence(const std::string& subject, Read read) {
+auto with_sentence(const std::string& subject, Read read) {
     try {
         return read();
     } catch (const cli::InputError& error) {
@@ -315,6 +315,13 @@ Drawing drawing_of_document(const nlohmann::json& document) {
             drawing.picture.opacity = std::clamp(from.at("opacity").get<float>(), 0.0f, 1.0f);
         }
         return drawing;
+    });
+}
+
+std::unique_ptr<const cli::KeptJoints> joints_of_document(const nlohmann::json& document) {
+    if (!document.contains("joints")) return nullptr;
+    return with_sentence("The skeletons' part of the document", [&] {
+        return std::make_unique<const cli::KeptJoints>(cli::JsonPlace(document["joints"], "skeletons: joints"));
     });
 }
 

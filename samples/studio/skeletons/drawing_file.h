@@ -3,8 +3,10 @@
 // knows.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "documents/kept_joints.h"
 #include "skeletons/drawing.h"
 
 namespace flg::studio {
@@ -19,5 +21,7 @@ void write_drawing(const Drawing& drawing, const std::string& path);
 
 nlohmann::json document_json(const Drawing& drawing);
 Drawing drawing_of_document(const nlohmann::json& document);
+// By what its joints are known; null: the document does not say.
+std::unique_ptr<const cli::KeptJoints> joints_of_document(const nlohmann::json& document);
 
 }  // namespace flg::studio

@@ -152,7 +152,7 @@ void LiveModel::start_model(const Drawing& drawing) {
         ++rig_revision_;
         return;
     }
-    if (coming_model_ || model_failed_ || (model_ && recipe == recipe_)) return;
+    if (coming_model_ || model_failed_ || (model_ && !is_other_document_ && recipe == recipe_)) return;
     std::vector<FlgModelPart> parts;
     std::vector<FlgBoneThresholds> thresholds(recipe.parts.size());
     for (const ModelRecipe::Part& entry : recipe.parts) {
@@ -190,7 +190,9 @@ void LiveModel::start_model(const Drawing& drawing) {
     desc.apart_pairs = recipe.apart.data();
     desc.apart_pair_count = static_cast<uint32_t>(recipe.apart.size() / 2);
     // So joints keep their names, and with them their poses, while the drawing changes.
-    desc.previous = model_.get();
+    if (!is_other_document_) desc.previous = model_.get();
+    const FlgModelView kept = kept_ ? kept_->view() : flgModelViewDefaults();
+    if (kept_) desc.previous_view = &kept;
     FlgModel handle{};
     if (flgModelCreate(context_.get(), &desc, &handle, nullptr) != FLG_OK) {
         model_failed_ = true;
@@ -216,6 +218,8 @@ void LiveModel::take_model() {
     }
     model_ = std::move(coming_model_);
     coming_model_.reset();
+    is_other_document_ = false;
+    kept_.reset();
     recipe_ = std::move(coming_recipe_);
     std::vector<uint32_t> sources;
     for (const ModelRecipe::Part& part : recipe_.parts) sources.push_back(part.id);
@@ -323,6 +327,18 @@ FlgModelView LiveModel::model() const {
     FlgModelView view = flgModelViewDefaults();
     if (model_) filigree::check(flgModelGetView(context_.get(), model_.get(), &view));
     return view;
+}
+
+void LiveModel::begin_with(std::unique_ptr<const cli::KeptJoints> joints) {
+    is_other_document_ = true;
+    kept_ = std::move(joints);
+    // Made with the joints of the other one.
+    coming_model_.reset();
+}
+
+nlohmann::json LiveModel::kept_joints() const {
+    if (kept_) return cli::KeptJoints::json_of(kept_->view());
+    return model_ && !is_other_document_ ? cli::KeptJoints::json_of(model()) : nlohmann::json();
 }
 
 bool LiveModel::wants_skin() const {

@@ -3,6 +3,9 @@
 // newest state behind the one that runs, so that what is seen follows the mouse.
 #pragma once
 
+#include <memory>
+
+#include "documents/kept_joints.h"
 #include "documents/test_motion.h"
 #include "filigree/filigree.hpp"
 #include "filigree/filigree_model.h"
@@ -55,6 +58,10 @@ public:
     const Rig* rig() const { return rig_.count() == 0 ? nullptr : &rig_; }
     uint64_t rig_revision() const { return rig_revision_; }
     FlgModelView model() const;  // of the rig
+    // The next model is of another document: its joints are those that the document kept; null: new ones.
+    void begin_with(std::unique_ptr<const cli::KeptJoints> joints);
+    // What a document keeps of the joints; null: nothing yet.
+    nlohmann::json kept_joints() const;
     const ModelRecipe& recipe() const { return recipe_; }
 
     // Parts that hang on nothing, although they are not the first.
@@ -119,6 +126,8 @@ private:
     std::map<uint32_t, ContourPtr> good_lines_;  // by part: the last that had an axis
     ModelRecipe wanted_{}, recipe_{}, coming_recipe_{}, skin_recipe_{}, coming_skin_recipe_{};
     ModelOwner model_, coming_model_;
+    bool is_other_document_ = false;               // than model_ is of
+    std::unique_ptr<const cli::KeptJoints> kept_;  // of the model before the next one, in place of model_
     SkinOwner skin_, coming_skin_, bound_, coming_bound_;
     FlgSkinView automatic_{};
     Rig rig_;

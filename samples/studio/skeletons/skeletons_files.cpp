@@ -75,15 +75,18 @@ bool Skeletons::open(const std::string& path) {
 nlohmann::json Skeletons::save() const {
     nlohmann::json json = document_json(editor_.drawing());
     json["mode"] = static_cast<int>(mode_);
+    if (nlohmann::json joints = editor_.live.kept_joints(); !joints.is_null()) json["joints"] = std::move(joints);
     return json;
 }
 
 void Skeletons::load(const nlohmann::json& part) {
     Drawing drawing = drawing_of_document(part);
+    std::unique_ptr<const cli::KeptJoints> joints = joints_of_document(part);
     drop_tools();
     play(false);
     was_played_ = false;
     editor_.replace(std::move(drawing));
+    editor_.live.begin_with(std::move(joints));
     const int mode = part.contains("mode") && part["mode"].is_number_integer() ? part["mode"].get<int>() : 0;
     mode_ = static_cast<Mode>(std::clamp(mode, 0, static_cast<int>(Mode::pull)));
     draw_.depth = 0.0f;

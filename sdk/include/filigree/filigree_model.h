@@ -239,42 +239,6 @@ typedef struct FlgJointEdit {
 
 FLG_API FlgResult flgJointEditInit(FlgJointEdit* edit, uint32_t struct_size);
 
-typedef struct FlgModelDesc {
-    uint32_t struct_size;
-    uint32_t part_count;       /* 1 to 4096 */
-    const FlgJobOptions* job;
-    const FlgModelPart* parts; /* in modelling order: the trunk comes first wherever it is, then a part attaches to an
-                                  earlier one */
-    const FlgBoneThresholds* thresholds; /* null: the defaults */
-    float shape_weight;        /* weight of the shape in `simplify`, alpha_s of Eq. 1 (the paper gives no number): 0 to
-                                  100, default 0.25 */
-    /* A plane a x + b y + c z = d. Its normal may have any length above 0 and points to the model's left (0 0 -1 for a
-     * model that looks along +x, y up). A part across the plane is doubled in place. Default 1 0 0 0 */
-    float mirror[4];
-    uint32_t apart_pair_count; /* up to 65535. Default 0 */
-    double origin[3]; /* metres: what placements and `mirror` are relative to. Default 0 */
-    uint32_t root;                   /* the trunk, an index of parts: the hierarchy begins there. FLG_NO_INDEX: the
-                                        part of the largest area that is not mirrored. Default FLG_NO_INDEX */
-    uint32_t joint_edit_count;       /* up to 65535. Default 0 */
-    const char* root_joint;          /* key of the root part's joint; null, or not there: its middle. Default null */
-    const FlgJointEdit* joint_edits; /* applied in order; copied. Default null */
-    FlgModel previous;               /* what this model was before its parts changed: joints keep the keys they have in
-                                        it, by part and place. Its job may still run. Default null: keys are new */
-    const uint32_t* apart_pairs;     /* 2 per pair: indices of parts that a skin does not weld where they touch, images
-                                        included; twice the same: a part and its mirror image. A part and what it hangs
-                                        on are joined there all the same. Copied. Default null */
-} FlgModelDesc;
-
-FLG_API FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size);
-FLG_API FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size);
-
-/* Starts a job that makes one skeleton from the parts, sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: it places joints
- * along the branches, connects parts, merges junctions, and removes short branches and bones. The hierarchy begins in
- * the middle of the trunk; a part that meets no other is another root. Joints of one contour that is its own mirror
- * image are mirror images too. The job fails if an edit pins a joint outside of its part, merges a root or gives two
- * joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost: 20 us a part. */
-FLG_API FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job);
-
 /* How a part was attached to the model. */
 typedef enum FlgPartEvent {
     FLG_PART_EVENT_ROOT = 0,          /* meets no earlier part */
@@ -309,6 +273,45 @@ typedef struct FlgModelView {
     const double* joint_places;    /* 3 per joint: where it is in the drawing of its part, as FlgJointEdit::at */
     const uint8_t* joint_pinned;   /* one per joint: 1 if an edit pins it */
 } FlgModelView;
+
+typedef struct FlgModelDesc {
+    uint32_t struct_size;
+    uint32_t part_count;       /* 1 to 4096 */
+    const FlgJobOptions* job;
+    const FlgModelPart* parts; /* in modelling order: the trunk comes first wherever it is, then a part attaches to an
+                                  earlier one */
+    const FlgBoneThresholds* thresholds; /* null: the defaults */
+    float shape_weight;        /* weight of the shape in `simplify`, alpha_s of Eq. 1 (the paper gives no number): 0 to
+                                  100, default 0.25 */
+    /* A plane a x + b y + c z = d. Its normal may have any length above 0 and points to the model's left (0 0 -1 for a
+     * model that looks along +x, y up). A part across the plane is doubled in place. Default 1 0 0 0 */
+    float mirror[4];
+    uint32_t apart_pair_count; /* up to 65535. Default 0 */
+    double origin[3]; /* metres: what placements and `mirror` are relative to. Default 0 */
+    uint32_t root;                   /* the trunk, an index of parts: the hierarchy begins there. FLG_NO_INDEX: the
+                                        part of the largest area that is not mirrored. Default FLG_NO_INDEX */
+    uint32_t joint_edit_count;       /* up to 65535. Default 0 */
+    const char* root_joint;          /* key of the root part's joint; null, or not there: its middle. Default null */
+    const FlgJointEdit* joint_edits; /* applied in order; copied. Default null */
+    FlgModel previous;               /* what this model was before its parts changed: joints keep the keys they have in
+                                        it, by part and place. Its job may still run. Default null: keys are new */
+    const uint32_t* apart_pairs;     /* 2 per pair: indices of parts that a skin does not weld where they touch, images
+                                        included; twice the same: a part and its mirror image. A part and what it hangs
+                                        on are joined there all the same. Copied. Default null */
+    const FlgModelView* previous_view; /* in place of `previous`, what a file kept of that model: joint_count,
+                                          joint_keys, joint_places and joint_parents; the rest is not read. Copied, 0.1
+                                          us a joint. Default null */
+} FlgModelDesc;
+
+FLG_API FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size);
+FLG_API FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes one skeleton from the parts, sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: it places joints
+ * along the branches, connects parts, merges junctions, and removes short branches and bones. The hierarchy begins in
+ * the middle of the trunk; a part that meets no other is another root. Joints of one contour that is its own mirror
+ * image are mirror images too. The job fails if an edit pins a joint outside of its part, merges a root or gives two
+ * joints one name; the model before it stays as it was. FLG_ERROR_LIMIT above 65535 joints. Cost: 20 us a part. */
+FLG_API FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job);
 
 FLG_API FlgResult flgModelViewInit(FlgModelView* view, uint32_t struct_size);
 

@@ -90,7 +90,8 @@ public:
     explicit SvgTags(std::string_view text) : text_(text) {
         if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);  // a byte order mark
     }
-    // False at the end. Fails where a tag or a comment does not end, or an attribute has no value in quotes.
+    // False at the end. Fails where a tag or a comment does not end, or an attribute has no value in quotes. Copies go
+    // on from where they are.
     bool next(SvgTag& tag);
 
 private:
@@ -519,6 +520,8 @@ Vector<SvgOutline> read_outlines(const SvgTag& tag) {
 }
 
 constexpr size_t max_depth = 256;
+constexpr uint32_t max_uses = 16;  // of what uses others, in each other
+constexpr uint64_t max_used_elements = 1 << 20;
 
 // What is only drawn where something else refers to it.
 bool is_hidden(std::string_view name) {
@@ -527,7 +530,7 @@ bool is_hidden(std::string_view name) {
 }
 
 bool is_left_out(std::string_view name) {
-    return name == "use" || name == "text" || name == "image";
+    return name == "text" || name == "image";
 }
 
 // A property of an element, of its style or else an attribute; "" if it has neither.
@@ -550,7 +553,9 @@ std::string_view property(const SvgTag& tag, std::string_view name) {
 
 class SvgReader {
 public:
-    explicit SvgReader(std::string_view text) : tags_(text) {}
+    explicit SvgReader(std::string_view text) : tags_(text) {
+        if (text.find("use") != text.npos) list_ids();
+    }
 
     CurveData read() {
         data_.format = "svg";
@@ -565,7 +570,8 @@ public:
         if (!is_drawing_) fail(FLG_ERROR_FORMAT, "", "the file has no svg element");
         if (!stack_.empty()) fail(FLG_ERROR_FORMAT, line_place(stack_.back().line), "an element is not closed");
         if (data_.curve_count() == 0) fail(FLG_ERROR_FORMAT, "", "the drawing has no outlines");
-        data_.warn(left_out_, "element", "use, text and image are not read");
+        data_.warn(left_out_, "element", "text and image are not read");
+        data_.warn(unknown_, "element", "what it uses is not in the file, or has a view of its own");
         return std::move(data_);
     }
 
@@ -578,7 +584,54 @@ private:
         uint64_t line;
     };
 
-    void open(const SvgTag& tag) {
+    // An element that others may use: its name, and where it begins.
+    struct Known {
+        std::string_view id;
+        SvgTags at;
+    };
+    void list_ids() {
+        SvgTags at = tags_, before = at;
+        for (SvgTag tag; at.next(tag); before = at)
+            if (const std::string_view id = tag.attribute("id"); !id.empty()) ids_.push_back({id, before});
+        // Of those with one name the first counts.
+        std::sort(ids_.begin(), ids_.end(), [](const Known& a, const Known& b) {
+            return a.id != b.id ? a.id < b.id : a.id.data() < b.id.data();
+        });
+    }
+
+    // Another element in this place, with all that is in it.
+    void use(const SvgTag& tag, const Level& level) {
+        std::string_view name = tag.attribute("href");
+        if (name.empty()) name = tag.attribute("xlink:href");
+        name.remove_prefix(std::min<size_t>(name.starts_with('#') ? 1 : name.size(), name.size()));
+        const auto found = std::lower_bound(ids_.begin(), ids_.end(), name,
+                                            [](const Known& known, std::string_view id) { return known.id < id; });
+        if (name.empty() || found == ids_.end() || found->id != name) return unknown_.add(elements_);
+        if (uses_ >= max_uses)
+            fail(FLG_ERROR_LIMIT, line_place(tag.line), "elements use each other more than %u deep", max_uses);
+        ++uses_;
+        const size_t base = stack_.size();
+        stack_.push_back(level);
+        stack_.back().transform = level.transform * SvgTransform{1, 0, 0, 1, length_of(tag, "x"), length_of(tag, "y")};
+        SvgTags tags = found->at;
+        SvgTag used;
+        bool is_first = true;
+        while (tags.next(used)) {
+            if (++used_elements_ > max_used_elements)
+                fail(FLG_ERROR_LIMIT, line_place(tag.line), "more than 2^20 elements are used again");
+            const bool has_view = is_first && !used.attribute("viewBox").empty();
+            if (has_view) unknown_.add(elements_);
+            if (has_view) break;
+            used.kind == SvgTag::Kind::close ? close(used) : open(used, is_first);
+            is_first = false;
+            if (stack_.size() == base + 1) break;
+        }
+        stack_.resize(base);
+        --uses_;
+    }
+
+    // `is_used`: by another, which shows what is only kept to be used.
+    void open(const SvgTag& tag, bool is_used = false) {
         if (!is_drawing_ && tag.name != "svg") {
             fail(FLG_ERROR_FORMAT, line_place(tag.line), "the first element is not svg: %s", cited(tag.name).c_str());
         }
@@ -589,14 +642,15 @@ private:
         const Level around = stack_.empty() ? Level{} : stack_.back();
         const std::string_view visibility = property(tag, "visibility");
         const Level level = {tag.name, around.transform * read_transform(tag.attribute("transform"), tag.line),
-                             around.hidden || is_hidden(tag.name) || property(tag, "display") == "none",
+                             around.hidden || (is_hidden(tag.name) && !is_used) || property(tag, "display") == "none",
                              visibility.empty() || visibility == "inherit" ? around.invisible : visibility != "visible",
                              tag.line};
         if (!level.hidden && !level.invisible) {
             if (is_left_out(tag.name)) left_out_.add(elements_);
+            if (tag.name == "use") use(tag, level);
             add(read_outlines(tag), level);
         }
-        ++elements_;
+        if (uses_ == 0) ++elements_;
         if (tag.kind == SvgTag::Kind::open) stack_.push_back(level);
     }
 
@@ -627,7 +681,10 @@ private:
     SvgTags tags_;
     CurveData data_;
     Vector<Level> stack_;
-    Tally left_out_;
+    Vector<Known> ids_;
+    uint32_t uses_ = 0;  // that are open
+    uint64_t used_elements_ = 0;
+    Tally left_out_, unknown_;
     uint64_t elements_ = 0;
     bool is_drawing_ = false;
 };

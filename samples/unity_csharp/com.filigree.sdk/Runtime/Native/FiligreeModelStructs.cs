@@ -227,54 +227,6 @@ namespace Filigree
         public double share;
     }
 
-    public unsafe partial struct FlgModelDesc
-    {
-        public uint struct_size;
-        /// <summary>1 to 4096</summary>
-        public uint part_count;
-        public FlgJobOptions* job;
-        /// <summary>
-        /// in modelling order: the trunk comes first wherever it is, then a part attaches to an earlier one
-        /// </summary>
-        public FlgModelPart* parts;
-        /// <summary>null: the defaults</summary>
-        public FlgBoneThresholds* thresholds;
-        /// <summary>
-        /// weight of the shape in `simplify`, alpha_s of Eq. 1 (the paper gives no number): 0 to 100, default 0.25
-        /// </summary>
-        public float shape_weight;
-        /// <summary>
-        /// A plane a x + b y + c z = d. Its normal may have any length above 0 and points to the model's left (0 0 -1
-        /// for a model that looks along +x, y up). A part across the plane is doubled in place. Default 1 0 0 0
-        /// </summary>
-        public fixed float mirror[4];
-        /// <summary>up to 65535. Default 0</summary>
-        public uint apart_pair_count;
-        /// <summary>metres: what placements and `mirror` are relative to. Default 0</summary>
-        public fixed double origin[3];
-        /// <summary>
-        /// the trunk, an index of parts: the hierarchy begins there. FLG_NO_INDEX: the part of the largest area that is
-        /// not mirrored. Default FLG_NO_INDEX
-        /// </summary>
-        public uint root;
-        /// <summary>up to 65535. Default 0</summary>
-        public uint joint_edit_count;
-        /// <summary>key of the root part's joint; null, or not there: its middle. Default null</summary>
-        public byte* root_joint;
-        /// <summary>applied in order; copied. Default null</summary>
-        public FlgJointEdit* joint_edits;
-        /// <summary>
-        /// what this model was before its parts changed: joints keep the keys they have in it, by part and place. Its
-        /// job may still run. Default null: keys are new
-        /// </summary>
-        public FlgModel previous;
-        /// <summary>
-        /// 2 per pair: indices of parts that a skin does not weld where they touch, images included; twice the same: a
-        /// part and its mirror image. A part and what it hangs on are joined there all the same. Copied. Default null
-        /// </summary>
-        public uint* apart_pairs;
-    }
-
     /// <summary>
     /// Joints, parents first. The bone to a joint turns with its parent. Parts include mirror images, each after its
     /// original.
@@ -323,6 +275,59 @@ namespace Filigree
         public double* joint_places;
         /// <summary>one per joint: 1 if an edit pins it</summary>
         public byte* joint_pinned;
+    }
+
+    public unsafe partial struct FlgModelDesc
+    {
+        public uint struct_size;
+        /// <summary>1 to 4096</summary>
+        public uint part_count;
+        public FlgJobOptions* job;
+        /// <summary>
+        /// in modelling order: the trunk comes first wherever it is, then a part attaches to an earlier one
+        /// </summary>
+        public FlgModelPart* parts;
+        /// <summary>null: the defaults</summary>
+        public FlgBoneThresholds* thresholds;
+        /// <summary>
+        /// weight of the shape in `simplify`, alpha_s of Eq. 1 (the paper gives no number): 0 to 100, default 0.25
+        /// </summary>
+        public float shape_weight;
+        /// <summary>
+        /// A plane a x + b y + c z = d. Its normal may have any length above 0 and points to the model's left (0 0 -1
+        /// for a model that looks along +x, y up). A part across the plane is doubled in place. Default 1 0 0 0
+        /// </summary>
+        public fixed float mirror[4];
+        /// <summary>up to 65535. Default 0</summary>
+        public uint apart_pair_count;
+        /// <summary>metres: what placements and `mirror` are relative to. Default 0</summary>
+        public fixed double origin[3];
+        /// <summary>
+        /// the trunk, an index of parts: the hierarchy begins there. FLG_NO_INDEX: the part of the largest area that is
+        /// not mirrored. Default FLG_NO_INDEX
+        /// </summary>
+        public uint root;
+        /// <summary>up to 65535. Default 0</summary>
+        public uint joint_edit_count;
+        /// <summary>key of the root part's joint; null, or not there: its middle. Default null</summary>
+        public byte* root_joint;
+        /// <summary>applied in order; copied. Default null</summary>
+        public FlgJointEdit* joint_edits;
+        /// <summary>
+        /// what this model was before its parts changed: joints keep the keys they have in it, by part and place. Its
+        /// job may still run. Default null: keys are new
+        /// </summary>
+        public FlgModel previous;
+        /// <summary>
+        /// 2 per pair: indices of parts that a skin does not weld where they touch, images included; twice the same: a
+        /// part and its mirror image. A part and what it hangs on are joined there all the same. Copied. Default null
+        /// </summary>
+        public uint* apart_pairs;
+        /// <summary>
+        /// in place of `previous`, what a file kept of that model: joint_count, joint_keys, joint_places and
+        /// joint_parents; the rest is not read. Copied, 0.1 us a joint. Default null
+        /// </summary>
+        public FlgModelView* previous_view;
     }
 
     /// <summary>A surface in one piece and the joints that move it, in the rest pose: no joint is rotated.</summary>
