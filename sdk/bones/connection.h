@@ -11,11 +11,11 @@
 // outline is inside of. Where both ends of a limb are inside, or touch, the one that is thicker by a quarter counts, or
 // else, of two inside, the upper one: an arm over the chest or beside it hangs by its shoulder. A part that lies across
 // the mirror plane of what it hangs on, alike to both sides, hangs by its middle. A limb with an image, such as an arm
-// that prays, does not hang by the end that meets the image's, but by the other one, if that is near. Limbs hang on the trunk, not on each
-// other: where the joint is inside of the root end of a part and of the one that this hangs on, it is connected with
-// the latter. Bones from part to part are no part's, and nothing is connected to them. A joint so near to a bone's end
-// that the split would make a bone of no length is connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has
-// v_i v_j).
+// that prays, does not hang by the end that meets the image's, but by the other one, if that is near. Limbs hang on the
+// trunk, not on each other: where the joint is inside of the root end of a part and of the one that this hangs on, it
+// is connected with the latter. Bones from part to part are no part's, and nothing is connected to them. A joint so
+// near to a bone's end that the split would make a bone of no length is connected to that end. Distances are
+// |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
 #pragma once
 
 #include <span>

@@ -288,7 +288,7 @@ private:
             order.push_back(joint);
             const auto ends = own_ends_.of(joint);
             for (size_t e = ends.size(); e-- > 0;) {
-                const uint32_t next = own_bones_[ends[e] / 2][1 - ends[e] % 2];
+                const uint32_t next = neighbour_of(ends[e]);
                 if (slice.is_over()) co_await pace_;
                 if (place[next - first_[p]] != no_joint_before) continue;
                 before[next - first_[p]] = place[joint - first_[p]];
@@ -422,11 +422,13 @@ private:
         return joint;
     }
 
+    // At the other end of an own bone.
+    uint32_t neighbour_of(uint32_t end) const { return own_bones_[end / 2][1 - end % 2]; }
+
     // From one of a part's own joints over the next one to an end or where branches meet, as it is alone.
     uint32_t own_way(uint32_t before, uint32_t joint) const {
         for (auto ends = own_ends_.of(joint); ends.size() == 2; ends = own_ends_.of(joint)) {
-            const auto neighbour = [&](uint32_t end) { return own_bones_[end / 2][1 - end % 2]; };
-            const uint32_t first = neighbour(ends[0]), after = first == before ? neighbour(ends[1]) : first;
+            const uint32_t first = neighbour_of(ends[0]), after = first == before ? neighbour_of(ends[1]) : first;
             before = joint;
             joint = after;
         }
@@ -477,8 +479,9 @@ private:
         // middle is on the spine.
         const uint32_t own = co_await nearest_own(p, at, true);
         const bool is_spine = graph_.is_junction(ends[0]) && graph_.is_junction(ends[1]);
-        // No tip, as of a large head, swings all the rest.
-        const bool is_tip = own != no_number && own_ends_.of(own).size() == 1;
+        // No tip of a limb, as of a large head, swings all the rest.
+        const bool is_tip = own != no_number && own_ends_.of(own).size() == 1 &&
+                            own_ends_.of(neighbour_of(own_ends_.of(own)[0])).size() > 1;
         const double near = is_spine ? 0 : (is_tip ? middle_at_tip : middle_at_joint) * radius;
         if (own != no_number && (graph_.joints()[own].at - at).norm() <= std::max(collapse_, near)) co_return own;
         if (share <= 0 || share >= 1) co_return ends[share <= 0 ? 0 : 1];

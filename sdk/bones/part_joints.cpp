@@ -14,7 +14,7 @@ namespace {
 constexpr double window = 0.3;                          // of a piece: so far a joint may be from the even place
 constexpr double evenness = 0.2;                        // of the radius: what an elbow is deeper by than the even place
 constexpr double same_length = 1.25, same_width = 1.5;  // of equal limbs
-constexpr double same_turn = 2;                         // likewise, in radians: by how much less one may bend
+constexpr double same_turn = 1.2;                       // likewise, in radians: by how much less one may bend
 constexpr uint32_t most_pieces = 8;
 constexpr double bends = 1;       // a limb's last bone that is as long for its width has a knee
 constexpr double bends_late = 2;  // the same of a part of one bone, and beyond a shoulder

@@ -4,8 +4,8 @@
 // - BoundedDP (bounded_dp.h), with the part's threshold.
 // - For people, unless `detail` is 0: a bone that is long for its width is divided, a finger's once, an arm of an
 //   octopus more often; where the outline narrows or bends most near the even places, as at an elbow. Limbs of about
-//   the same length and width get the same number of joints, unless one is folded and the other straight. A limb that begins in a trunk and is
-//   straight beyond has a knee if it is longer than wide there.
+//   the same length and width get the same number of joints, unless one is folded and the other straight. A limb that
+//   begins in a trunk and is straight beyond has a knee if it is longer than wide there.
 // - Of a branch and its mirror image in one contour the same samples become joints.
 #pragma once
 

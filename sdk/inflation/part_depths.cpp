@@ -21,6 +21,7 @@ constexpr double least_reach = 0.3;     // of `hold`: no part rises faster
 constexpr double fork = 2;              // of `hold`: up to there an overlap that begins where parts hang is a fork
 constexpr double broad = 3;             // of a part's radius: the same with what bears it, from `hold` on
 constexpr double half_as_broad = 1.5;   // the same where they lie in one plane, and depths differ
+constexpr double passes_by = 2;         // of a part's radius, from its joint
 constexpr double gentle = 0.4, steepest = 1.5;  // a rise, by its reach
 constexpr double within = 0.6;                  // of the height of what a part hangs on, that it may hang off the joint
 constexpr uint32_t sweeps = 4;                  // over a raster's values outside
@@ -370,8 +371,24 @@ private:
         });
     }
 
+    // Where ways begin: where it hangs, unless a limb passes by that place, as an arm across the chest does.
+    Vec3 begin_of(uint32_t part) const {
+        const Vec3 &own = drawn_.hung[part].joint, &at = joints_[part];
+        const ImplicitPart& shape = shapes_[part];
+        const Vec3 local = shape.local(at), own_local = shape.local(own);
+        if (shape.squared_height(local.x(), local.y()) > 0) return at;
+        Point2 nearest{own_local.x(), own_local.y()};
+        double least = HUGE_VAL;
+        for (const Point2& p : shape.part().points) {
+            const double away = distance(p, {local.x(), local.y()});
+            if (away < least) least = away, nearest = p;
+        }
+        const double off = shape.scale() * distance(nearest, {own_local.x(), own_local.y()});
+        return off > passes_by * shape.radius() ? own : at;
+    }
+
     static Task<void> measure_way(Pace& pace, Arrangement& all, uint32_t part) {
-        if (all.ways_[part].empty()) all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.joints_[part]);
+        if (all.ways_[part].empty()) all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.begin_of(part));
     }
 
     // In the contour's units; the nearest value on the raster.
@@ -605,7 +622,7 @@ private:
     std::pmr::deque<Pair> pairs_;
     std::pmr::deque<Buffer<double>> ways_;  // by part; none: not needed
     std::pmr::vector<uint32_t> levels_;     // by part: how many it hangs on, one on the other
-    std::pmr::vector<Vec3> joints_;         // by part: where it hangs
+    std::pmr::vector<Vec3> joints_;         // by part: where it hangs, within what it hangs on
     Groups order_;                          // parts by level
     std::pmr::vector<uint32_t> unit_;       // by part
     std::pmr::vector<double> depth_;        // by unit

@@ -177,6 +177,11 @@ inline std::vector<NamedDrawing> crossings() {
              .add("right_leg", right_leg)
              .add("left_arm", limb({{0.8, 2.6, 0.3}, {0.9, 1.6, 0.26}, {0.1, 0.9, 0.2}, {-0.3, 0.9, 0.18}}))
              .add("right_arm", limb({{-0.8, 2.6, 0.3}, {-1.2, 1.2, 0.24}, {-0.3, 0.4, 0.2}, {0.4, 0.5, 0.16}})));
+    keep("arms_across", person()
+                            .add("left_leg", left_leg)
+                            .add("right_leg", right_leg)
+                            .add("left_arm", limb({{0.85, 2.6, 0.3}, {0.2, 1.9, 0.24}, {-0.6, 1.1, 0.16}}))
+                            .add("right_arm", limb({{-0.85, 2.6, 0.3}, {-0.2, 1.9, 0.24}, {0.6, 1.1, 0.16}})));
     keep("crossed_legs", person()
                              .add("left_leg", limb({{0.4, -0.3, 0.42}, {0, -2, 0.3}, {-0.8, -4, 0.2}}))
                              .add("right_leg", limb({{-0.4, -0.3, 0.42}, {0, -2, 0.3}, {0.8, -4, 0.2}}))

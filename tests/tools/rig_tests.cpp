@@ -181,6 +181,22 @@ TEST_F(Rigs, HandsLieOnTheChestOrBehindIt) {
     }
 }
 
+// All of both arms lies over the chest: they cross in front of it, and do not vanish in it.
+TEST_F(Rigs, ArmsAcrossTheChestAreSeen) {
+    const std::vector<NamedDrawing> all = crossings();
+    quality(*std::find_if(all.begin(), all.end(), [](const auto& d) { return d.name == "arms_across"; }));
+    const SkinSurface surface = read_surface((folder / "model.glb").string());
+    for (const uint32_t arm : {5u, 6u}) {
+        uint32_t in_front = 0;
+        for (size_t v = 0; v < surface.parts.size(); ++v) {
+            const float* at = surface.positions.data() + 3 * v;
+            // Beyond the middle of the chest, on the other side.
+            in_front += surface.parts[v] == arm && at[1] < 1.8f && (at[0] > 0) != (arm == 5) && at[2] > 0.6f;
+        }
+        EXPECT_GT(in_front, 50u) << arm;
+    }
+}
+
 // Legs that are there twice, and overlap.
 TEST_F(Rigs, MirrorImagesAreNotWelded) {
     for (const NamedDrawing& drawing : crossings()) {

@@ -261,8 +261,7 @@ TEST_F(SkeletonCommand, EditsStayWithTheirJointsFromRunToRun) {
         EXPECT_GE(now.size() + 5, first.size());
         size_t gone = 0;
         const Json warnings = report().at("warnings");
-        for (const Json& warning : warnings)
-            gone += warning.get<std::string>().find("waits") != std::string::npos;
+        for (const Json& warning : warnings) gone += warning.get<std::string>().find("waits") != std::string::npos;
         EXPECT_EQ(now.size() + gone, first.size());
     }
 }
