@@ -12,6 +12,8 @@ namespace {
 
 constexpr double at_an_end = 1e-9;  // of a bone's length
 constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
+constexpr double little_nearer = 1.25;
+constexpr double across_gap = 1.4;  // likewise: what was meant to meet
 constexpr double meets_image = 2;   // of a ball's radius, from the mirror: tips reach beyond their balls
 constexpr double off_image = 1.5;   // likewise, of the end of an arm whose hand meets its image
 constexpr double alike = 0.1;       // of the radius: how far from each other's mirror images joints may be
@@ -188,6 +190,25 @@ Task<Place> nearest_by_outline(Pace& pace, const BoneGraph& graph, Ends ends, co
         if (slice.is_over()) co_await pace;
     }
     co_return co_await nearest_in(pace, graph, ends, candidates, [&](uint32_t p) { return meets[p]; });
+}
+
+// The place across the least gap, as between the blocks of a figure.
+Task<Place> nearest_across_gap(Pace& pace, const BoneGraph& graph, Ends ends, const Candidates& candidates) {
+    Place nearest;
+    double least = 0;
+    Slice slice(Cost::tens_of_ns);
+    for (const uint32_t j : ends) {
+        const BoneGraph::Joint& joint = graph.joints()[j];
+        for (uint32_t i = 0; i < candidates.count(); ++i) {
+            const Nearby near = candidates.from(joint.at, j, i);
+            const double radii = near.radius + joint.radius, gap = near.place.distance - radii;
+            const bool is_near = near.place.distance <= across_gap * radii;
+            if (is_near && (nearest.child == no_number || gap < least)) nearest = near.place, least = gap;
+            if (slice.is_over()) co_await pace;
+        }
+        if (slice.is_over()) co_await pace;
+    }
+    co_return nearest;
 }
 
 template <class Counts>
@@ -378,9 +399,8 @@ Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherPar
     const Nearest nearest = co_await nearest_of(pace, graph, ends, candidates);
     Place place = nearest.inside;
     if (place.child == no_number) place = co_await nearest_in_wide(pace, graph, ends, others);
-    const uint32_t upper = upper_end(graph, ends);
+    const uint32_t upper = upper_end(graph, ends), only[] = {upper};
     if (place.child != no_number && upper != no_number && place.child != upper) {
-        const uint32_t only[] = {upper};
         const Nearest above = co_await nearest_of(pace, graph, only, candidates);
         Place higher = above.inside;
         if (higher.child == no_number) higher = co_await nearest_in_wide(pace, graph, only, others);
@@ -419,6 +439,19 @@ Task<PartLink> connect_to_part(Pace& pace, BoneGraph& graph, NewPart part, Other
             if (next.distance < place.distance) place = next;
         }
     }
+    co_return connect(graph, place);
+}
+
+Task<PartLink> connect_across_gap(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others) {
+    Candidates candidates(graph, nullptr, pace.memory());
+    co_await list_all(pace, graph, candidates, [&](uint32_t p) { return others.may_meet[p] != 0; });
+    const auto ends = co_await list_ends(pace, graph, part);
+    Place place = co_await nearest_across_gap(pace, graph, ends, candidates);
+    const uint32_t upper = upper_end(graph, ends), only[] = {upper};
+    // An arm beside the body hangs by its shoulder, even if its hand is a little nearer.
+    Place higher;
+    if (upper != no_number) higher = co_await nearest_across_gap(pace, graph, only, candidates);
+    if (higher.child != no_number && higher.distance <= little_nearer * place.distance) place = higher;
     co_return connect(graph, place);
 }
 

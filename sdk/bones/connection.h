@@ -8,14 +8,14 @@
 // Departures. Joints are inside of their parts, and balls do not fill them; so parts that meet only at their ends would
 // be left apart. If no joint of the new part is inside of an earlier one, joints count that are in a wide part's shape,
 // corners and all (wide_part.h); then joints whose balls come near one; then parts that a point of the new one's
-// outline is inside of. Where both ends of a limb are inside, or touch, the one that is thicker by a quarter counts, or
-// else, of two inside, the upper one: an arm over the chest or beside it hangs by its shoulder. A part that lies across
-// the mirror plane of what it hangs on, alike to both sides, hangs by its middle. A limb with an image, such as an arm
-// that prays, does not hang by the end that meets the image's, but by the other one, if that is near. Limbs hang on the
-// trunk, not on each other: where the joint is inside of the root end of a part and of the one that this hangs on, it
-// is connected with the latter. Bones from part to part are no part's, and nothing is connected to them. A joint so
-// near to a bone's end that the split would make a bone of no length is connected to that end. Distances are
-// |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
+// outline is inside of. Where all are placed, what still meets none hangs across a small gap. Where both ends of a limb
+// are inside, or touch, the one that is thicker by a quarter counts, or else, of two inside, the upper one: an arm over
+// the chest or beside it hangs by its shoulder. A part that lies across the mirror plane of what it hangs on, alike to
+// both sides, hangs by its middle. A limb with an image, such as an arm that prays, does not hang by the end that meets
+// the image's, but by the other one, if that is near. Limbs hang on the trunk, not on each other: where the joint is
+// inside of the root end of a part and of the one that this hangs on, it is connected with the latter. Bones from part
+// to part are no part's, and nothing is connected to them. A joint so near to a bone's end that the split would make a
+// bone of no length is connected to that end. Distances are |v_i v_k| sin(theta) (Eq. 3 has v_i v_j).
 #pragma once
 
 #include <span>
@@ -64,6 +64,9 @@ Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part, OtherPar
 
 // Likewise with a part whose ends or junctions are inside of this one: that part hangs on this one.
 Task<PartLink> connect_to_part(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others);
+
+// Connects a part that meets none with what lies across the least gap, if that is small by both radii.
+Task<PartLink> connect_across_gap(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others);
 
 // The end or junction of a part and the place of the others that are nearest to each other, wherever they are.
 Task<PartLink> connect_anyway(Pace& pace, BoneGraph& graph, NewPart part, OtherParts others);

@@ -143,6 +143,14 @@ private:
                 if (goes_on) goes_on = co_await may_meet(p, true);
             }
         }
+        for (const uint32_t p : order) {
+            if (model_.parts[p].parent == p || hung_[p].event != PartLink::Event::root) continue;
+            if (groups_.first(p) == groups_.first(trunk_)) continue;
+            const bool any = co_await may_meet(p);
+            if (!any) continue;
+            const PartLink link = co_await connect_across_gap(pace_, graph_, new_part(p), others());
+            add(link);
+        }
     }
 
     NewPart new_part(uint32_t p) const {

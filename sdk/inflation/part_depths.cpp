@@ -372,23 +372,26 @@ private:
     }
 
     // Where ways begin: where it hangs, unless a limb passes by that place, as an arm across the chest does.
-    Vec3 begin_of(uint32_t part) const {
-        const Vec3 &own = drawn_.hung[part].joint, &at = joints_[part];
-        const ImplicitPart& shape = shapes_[part];
+    static Task<Vec3> begin_of(Pace& pace, const Arrangement& all, uint32_t part) {
+        const Vec3 &own = all.drawn_.hung[part].joint, &at = all.joints_[part];
+        const ImplicitPart& shape = all.shapes_[part];
         const Vec3 local = shape.local(at), own_local = shape.local(own);
-        if (shape.squared_height(local.x(), local.y()) > 0) return at;
+        if (shape.squared_height(local.x(), local.y()) > 0) co_return at;
+        const auto& points = shape.part().points;
         Point2 nearest{own_local.x(), own_local.y()};
         double least = HUGE_VAL;
-        for (const Point2& p : shape.part().points) {
-            const double away = distance(p, {local.x(), local.y()});
-            if (away < least) least = away, nearest = p;
-        }
+        co_await each(pace, points.size(), Cost::some_ns, [&](uint32_t v) {
+            const double away = distance(points[v], {local.x(), local.y()});
+            if (away < least) least = away, nearest = points[v];
+        });
         const double off = shape.scale() * distance(nearest, {own_local.x(), own_local.y()});
-        return off > passes_by * shape.radius() ? own : at;
+        co_return off > passes_by* shape.radius() ? own : at;
     }
 
     static Task<void> measure_way(Pace& pace, Arrangement& all, uint32_t part) {
-        if (all.ways_[part].empty()) all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], all.begin_of(part));
+        if (!all.ways_[part].empty()) co_return;
+        const Vec3 begin = co_await begin_of(pace, all, part);
+        all.ways_[part] = co_await Ways::make(pace, all.shapes_[part], begin);
     }
 
     // In the contour's units; the nearest value on the raster.

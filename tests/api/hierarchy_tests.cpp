@@ -340,6 +340,29 @@ TEST_F(Hierarchy, NarrowGapsPartLimbs) {
         }
 }
 
+// Blocks with gaps between them are one figure; what is far away is none of it.
+TEST_F(Hierarchy, BlocksBesideEachOtherAreOneFigure) {
+    const auto block = [&](const char* name, double left, double bottom, double right, double top) {
+        return part(name, {left, bottom, right, bottom, right, top, left, top});
+    };
+    std::vector<FlgModelPart> parts = {block("torso", -0.8, 0, 0.8, 2.4),    block("head", -0.5, 2.5, 0.5, 3.5),
+                                       block("larm", 0.85, 0.4, 1.25, 2.3),  block("rarm", -1.25, 0.4, -0.85, 2.3),
+                                       block("lleg", 0.1, -2.4, 0.7, -0.05), block("rleg", -0.7, -2.4, -0.1, -0.05)};
+    for (FlgModelPart& each : parts) each.thickness = 0.8f;
+    const Skeleton skeleton = made(parts);
+    EXPECT_EQ(skeleton.roots().size(), 1u);
+    for (size_t p = 1; p < parts.size(); ++p) EXPECT_EQ(skeleton.part_parents[p], 0u) << parts[p].name;
+    for (const Joint& joint : skeleton.joints) {
+        const Joint* parent = joint.parent.empty() ? nullptr : skeleton.find(joint.parent);
+        if (!parent || parent->part == joint.part) continue;
+        const bool is_arm = joint.part == 2 || joint.part == 3, is_leg = joint.part >= 4;
+        EXPECT_TRUE(!is_arm || joint.at[1] > 1.3) << "by the shoulder: " << joint.name;
+        EXPECT_TRUE(!is_leg || joint.at[1] > -1.2) << "by the hip: " << joint.name;
+    }
+    parts.push_back(block("sun", 4, 4, 5, 5));
+    EXPECT_EQ(made(parts).roots().size(), 2u);
+}
+
 // Hands that meet before the chest: both arms hang by their shoulders.
 TEST_F(Hierarchy, ArmsThatPrayHangByTheirShoulders) {
     for (const double z : {0.0, 0.7}) {

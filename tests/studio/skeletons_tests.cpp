@@ -305,6 +305,33 @@ TEST(StudioDrawing, DocumentsAndFilesKeepIt) {
     EXPECT_THROW(write_drawing(drawing, (folder / "no/such.json").string()), StudioError);
 }
 
+// By keys and places, as the model had them; so edits and poses find their joints again.
+TEST(StudioDrawing, DocumentsKeepWhoJointsAre) {
+    const char* const keys[] = {"body_3", "leg_0.L"};
+    const double places[] = {0.1, 0.2, 0, -1.0 / 3, 2, 0.5};
+    const uint32_t parents[] = {FLG_NO_INDEX, 0};
+    FlgModelView view = flgModelViewDefaults();
+    view.joint_count = 2;
+    view.joint_keys = keys;
+    view.joint_places = places;
+    view.joint_parents = parents;
+    const nlohmann::json joints = cli::KeptJoints::json_of(view);
+    const auto kept = joints_of_document({{"joints", nlohmann::json::parse(joints.dump())}});
+    ASSERT_TRUE(kept);
+    const FlgModelView again = kept->view();
+    ASSERT_EQ(again.joint_count, 2u);
+    for (size_t j = 0; j < 2; ++j) {
+        EXPECT_STREQ(again.joint_keys[j], keys[j]);
+        EXPECT_EQ(again.joint_parents[j], parents[j]);
+        for (size_t k = 0; k < 3; ++k) EXPECT_EQ(again.joint_places[3 * j + k], places[3 * j + k]);
+    }
+    EXPECT_EQ(cli::KeptJoints::json_of(again), joints);
+    EXPECT_FALSE(joints_of_document(nlohmann::json::object()));
+    EXPECT_THROW(joints_of_document({{"joints", 7}}), StudioError);
+    EXPECT_THROW(joints_of_document({{"joints", {{{"key", "a"}, {"parent", 0}, {"place", {0, 0, 0}}}}}}), StudioError);
+    EXPECT_THROW(joints_of_document({{"joints", {{{"key", "a"}, {"parent", nullptr}, {"place", {0}}}}}}), StudioError);
+}
+
 TEST(StudioDrawing, OutlinesOfAnSvgArePartsOfOneScale) {
     const test::Folder folder;
     folder.write("page.svg",

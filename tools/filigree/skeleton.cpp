@@ -297,6 +297,13 @@ void write_bones(const Options& options, const std::string& subject, const Model
                  const FlgModelView& view, Report& report) {
     report.counts["parts"] = view.part_count;
     report.counts["joints"] = view.joint_count;
+    std::string loose;
+    for (uint32_t p = 1; p < view.part_count; ++p)
+        if (view.part_parents[p] == FLG_NO_INDEX && p != view.joint_parts[0])
+            loose += (loose.empty() ? "" : ", ") + drawing.parts[view.part_sources[p]].name;
+    if (!loose.empty())
+        report.warn(subject + ": hang on nothing: " + loose +
+                    "; a `parent` in the drawing hangs them where they belong");
     if (options.bones.empty()) return;
     std::optional<ModelRig> rig;
     if (view.joint_count <= FLG_RIG_MAX_JOINTS) rig.emplace(view.joint_positions, view, left_of(drawing), subject);
