@@ -10,14 +10,14 @@
 namespace flg {
 namespace {
 
-constexpr double at_an_end = 1e-9;  // of a bone's length
-constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
-constexpr double little_nearer = 1.25;
-constexpr double across_gap = 1.4;  // likewise: what was meant to meet
-constexpr double meets_image = 2;   // of a ball's radius, from the mirror: tips reach beyond their balls
-constexpr double off_image = 1.5;   // likewise, of the end of an arm whose hand meets its image
-constexpr double alike = 0.1;       // of the radius: how far from each other's mirror images joints may be
-constexpr double thicker = 1.25;    // an arm that lies over the chest hangs by its shoulder: the end that is so thick
+constexpr double at_an_end = 1e-9;      // of a bone's length
+constexpr double nearness = 1.1;        // of two balls' radii: balls are smaller than what they are in
+constexpr double little_nearer = 1.25;  // how much farther a limb's upper end may be and still count
+constexpr double across_gap = 1.4;      // likewise: what was meant to meet
+constexpr double meets_image = 2;       // of a ball's radius, from the mirror: tips reach beyond their balls
+constexpr double off_image = 1.5;       // likewise, of the end of an arm whose hand meets its image
+constexpr double alike = 0.1;           // of the radius: how far from each other's mirror images joints may be
+constexpr double thicker = 1.25;  // an arm that lies over the chest hangs by its shoulder: the end that is so thick
 
 // Where a joint could be connected.
 struct Place {
@@ -192,8 +192,9 @@ Task<Place> nearest_by_outline(Pace& pace, const BoneGraph& graph, Ends ends, co
     co_return co_await nearest_in(pace, graph, ends, candidates, [&](uint32_t p) { return meets[p]; });
 }
 
-// The place across the least gap, as between the blocks of a figure.
-Task<Place> nearest_across_gap(Pace& pace, const BoneGraph& graph, Ends ends, const Candidates& candidates) {
+// The place across the least gap, as between the blocks of a figure; no farther than so many times both radii.
+Task<Place> nearest_across_gap(Pace& pace, const BoneGraph& graph, Ends ends, const Candidates& candidates,
+                               double reach) {
     Place nearest;
     double least = 0;
     Slice slice(Cost::tens_of_ns);
@@ -202,7 +203,7 @@ Task<Place> nearest_across_gap(Pace& pace, const BoneGraph& graph, Ends ends, co
         for (uint32_t i = 0; i < candidates.count(); ++i) {
             const Nearby near = candidates.from(joint.at, j, i);
             const double radii = near.radius + joint.radius, gap = near.place.distance - radii;
-            const bool is_near = near.place.distance <= across_gap * radii;
+            const bool is_near = near.place.distance <= reach * radii;
             if (is_near && (nearest.child == no_number || gap < least)) nearest = near.place, least = gap;
             if (slice.is_over()) co_await pace;
         }
@@ -340,13 +341,8 @@ Task<Place> by_end_off_image(Pace& pace, const BoneGraph& graph, Place place, En
                              const Candidates& candidates) {
     const uint32_t end = end_off_image(graph, ends, place.child, part.twin);
     if (end == no_number) co_return place;
-    const BoneGraph::Joint& joint = graph.joints()[end];
-    Place nearest;
-    co_await each(pace, candidates.count(), Cost::tens_of_ns, [&](uint32_t i) {
-        const Nearby near = candidates.from(joint.at, end, i);
-        if (near.place.distance <= off_image * (near.radius + joint.radius) && near.place.distance < nearest.distance)
-            nearest = near.place;
-    });
+    const uint32_t only[] = {end};
+    const Place nearest = co_await nearest_across_gap(pace, graph, only, candidates, off_image);
     co_return nearest.child == no_number ? place : nearest;
 }
 
@@ -446,11 +442,11 @@ Task<PartLink> connect_across_gap(Pace& pace, BoneGraph& graph, NewPart part, Ot
     Candidates candidates(graph, nullptr, pace.memory());
     co_await list_all(pace, graph, candidates, [&](uint32_t p) { return others.may_meet[p] != 0; });
     const auto ends = co_await list_ends(pace, graph, part);
-    Place place = co_await nearest_across_gap(pace, graph, ends, candidates);
+    Place place = co_await nearest_across_gap(pace, graph, ends, candidates, across_gap);
     const uint32_t upper = upper_end(graph, ends), only[] = {upper};
     // An arm beside the body hangs by its shoulder, even if its hand is a little nearer.
     Place higher;
-    if (upper != no_number) higher = co_await nearest_across_gap(pace, graph, only, candidates);
+    if (upper != no_number) higher = co_await nearest_across_gap(pace, graph, only, candidates, across_gap);
     if (higher.child != no_number && higher.distance <= little_nearer * place.distance) place = higher;
     co_return connect(graph, place);
 }

@@ -143,6 +143,7 @@ private:
                 if (goes_on) goes_on = co_await may_meet(p, true);
             }
         }
+        // Now that all are there, across a gap: what came later might have closed it.
         for (const uint32_t p : order) {
             if (model_.parts[p].parent == p || hung_[p].event != PartLink::Event::root) continue;
             if (groups_.first(p) == groups_.first(trunk_)) continue;

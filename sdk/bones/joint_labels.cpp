@@ -15,9 +15,9 @@ Task<void> number_joints(Pace& pace, std::span<const DrawnJoint> joints, Earlier
     uint32_t largest = count;
     for (const uint32_t number : before.numbers) largest = std::max(largest, number);
     for (const uint32_t number : before.awaited) largest = std::max(largest, number);
-    const size_t numbers_of_all = static_cast<size_t>(largest) + 2 * size_t{count} + 1;
-    Buffer<uint8_t> taken(numbers_of_all, pace.memory()), awaited(numbers_of_all, pace.memory());
-    co_await each(pace, numbers_of_all, Cost::some_ns, [&](uint32_t n) { taken[n] = awaited[n] = 0; });
+    const size_t number_count = static_cast<size_t>(largest) + 2 * size_t{count} + 1;
+    Buffer<uint8_t> taken(number_count, pace.memory()), awaited(number_count, pace.memory());
+    co_await each(pace, number_count, Cost::some_ns, [&](uint32_t n) { taken[n] = awaited[n] = 0; });
     co_await each(pace, before.awaited.size(), Cost::some_ns, [&](uint32_t i) { awaited[before.awaited[i]] = 1; });
     const bool is_same = std::equal(joints.begin(), joints.end(), before.joints.begin(), before.joints.end(),
                                     [](const DrawnJoint& a, const DrawnJoint& b) { return a.at == b.at; });

@@ -23,7 +23,7 @@ constexpr double mirror_tolerance = 0.0015;  // of the length: how far a line ma
 // half stays so much of it on its side.
 constexpr double gap_begins = 4, of_gap = 0.3;
 
-constexpr double valley_edge = 0.0005;  // of the length
+constexpr double valley_edge = 0.0005;  // of the length: from a sharp valley to the ends of the edge across it
 
 // Hosts see all of it as plain numbers.
 static_assert(sizeof(Point2) == 2 * sizeof(double) && sizeof(AxisNode) == 3 * sizeof(double));

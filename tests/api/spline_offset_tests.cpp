@@ -163,16 +163,21 @@ TEST(SplineOffset, OnASurfaceItStaysThere) {
     }
 }
 
-// On the smooth surface of a mesh, and to its end.
-TEST(SplineOffset, OnAMeshItStaysThere) {
-    const Host host;
+// Around the outside of a torus of triangles.
+MadeSpline equator_of_mesh(const Host& host) {
     const FlgManifold torus = mesh_manifold(host, torus_mesh(96, 48, 2, 0.5));
     std::vector<double> points;
     for (int i = 0; i < 12; ++i)
         points.insert(points.end(), {2.5 * std::cos(M_PI * i / 6), 2.5 * std::sin(M_PI * i / 6), 0});
     FlgSplineDesc desc = spline_desc(torus, points);
     desc.closed = 1;
-    const MadeSpline made = make_spline(host, desc);
+    return make_spline(host, desc);
+}
+
+// On the smooth surface of a mesh, and to its end.
+TEST(SplineOffset, OnAMeshItStaysThere) {
+    const Host host;
+    const MadeSpline made = equator_of_mesh(host);
     ASSERT_EQ(made.result, FLG_OK) << made.error;
     for (const Vec3& x : offset(host, beside(made, 0.6)).places) {
         EXPECT_NEAR(std::hypot(std::hypot(x.x(), x.y()) - 2, x.z()), 0.5, 2e-3);
@@ -183,13 +188,7 @@ TEST(SplineOffset, OnAMeshItStaysThere) {
 // Over the triangles it is a level of the distance from the curve: to both sides, to where there is none.
 TEST(SplineOffset, OverTrianglesItIsSoFarAway) {
     const Host host;
-    const FlgManifold torus = mesh_manifold(host, torus_mesh(96, 48, 2, 0.5));
-    std::vector<double> points;
-    for (int i = 0; i < 12; ++i)
-        points.insert(points.end(), {2.5 * std::cos(M_PI * i / 6), 2.5 * std::sin(M_PI * i / 6), 0});
-    FlgSplineDesc desc = spline_desc(torus, points);
-    desc.closed = 1;
-    const MadeSpline made = make_spline(host, desc);
+    const MadeSpline made = equator_of_mesh(host);
     ASSERT_EQ(made.result, FLG_OK) << made.error;
     FlgSplineTraceDesc trace = flgSplineTraceDefaults();
     trace.spline = made.spline;
